@@ -1,0 +1,72 @@
+// What the two programs share at their edge: options on getopt_long, errors, exit statuses and standard output.
+#pragma once
+
+#include "covariance.h"
+#include "quadrature.h"
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// A mistake of the caller's: what was given, what is allowed. Exit status 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Option {
+    std::string name;      // without the dashes
+    std::string argument;  // what stands for its value in the help; empty: it takes none
+    std::string description;
+    std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed
+};
+
+// Applies the options in argv. Returns the arguments that are no options. Throws UsageError, the text naming the
+// option.
+std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options);
+
+// One line or more for each option, for a help text.
+std::string describe(const std::vector<Option>& options);
+
+// The number that the text is, entirely; throws UsageError unless it lies in [low, high].
+double parse_real(const std::string& text, double low, double high);
+long parse_integer(const std::string& text, long low, long high);
+std::uint64_t parse_seed(const std::string& text);
+
+// The value that the text names; throws UsageError with the list of names.
+template <class T>
+T parse_choice(const std::string& text, std::initializer_list<std::pair<const char*, T>> choices) {
+    std::string names;
+    for (const auto& [name, value] : choices) {
+        if (text == name) return value;
+        names += names.empty() ? name : std::string(", ") + name;
+    }
+    throw UsageError("'" + text + "' is none of " + names);
+}
+
+// The options about the Gaussian process and its samples that both programs take.
+struct ModelOptions {
+    std::string covariance = "sobolev";
+    double smoothness = 1.5;
+    double length_scale = 1;
+    double noise = 0.01;
+    Placement placement = Placement::uniform;
+    std::uint64_t seed = 1;
+
+    std::vector<Option> options();
+    std::unique_ptr<Covariance> make_covariance() const;
+};
+
+// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
+constexpr long max_process_samples = 4096;
+
+// Runs a program: prints to stdout what body returns, all of it or nothing, and returns the exit status: 0; 2 after a
+// UsageError, 1 after any other exception, each told in one line on stderr that begins with the program's name.
+int run_program(const char* name, const std::function<std::string()>& body);
+
+// Shows on stderr how much of a long work is done and how many seconds are left, if stderr is a terminal.
+std::function<void(double)> terminal_progress(const char* name);

@@ -1,0 +1,284 @@
+#include "environment.h"
+
+#include <array>
+#include <cstdint>
+#include <istream>
+#include <sstream>
+#include <stdexcept>
+#include <streambuf>
+#include <string>
+#include <utility>
+
+EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
+    : width_(width), height_(height), last_column_(width - 1.0), last_row_(height - 1.0), rgb_(std::move(rgb)) {
+    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " texels";
+    if (width < 1 || height < 1 || std::int64_t{width} * height > max_texels)
+        throw std::invalid_argument("environment map of " + size + ": it takes 1 to " + std::to_string(max_texels));
+    if (rgb_.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+        throw std::invalid_argument("environment map of " + size + " with " + std::to_string(rgb_.size()) + " values");
+    for (std::size_t i = 0; i < rgb_.size(); ++i) {
+        if (rgb_[i] >= 0 && rgb_[i] <= FLT_MAX) continue;
+        const std::size_t columns = static_cast<std::size_t>(width);
+        throw std::invalid_argument("environment map, row " + std::to_string(i / 3 / columns) + ", column " +
+                                    std::to_string(i / 3 % columns) + ": " + std::to_string(rgb_[i]) +
+                                    " is not a finite radiance >= 0");
+    }
+}
+
+namespace {
+
+// ---- The built-in environment: radiance as a function of direction, in units of the brightest thing in the picture.
+
+constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
+
+constexpr Color zenith{0.03, 0.17, 0.56}, horizon{0.72, 0.70, 0.66}, sand{0.58, 0.31, 0.14}, rock{0.62, 0.23, 0.10};
+
+double clamp01(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
+
+Color mix(Color a, Color b, double t) { return (1 - t) * a + t * b; }
+
+// 0 below -width / 2, 1 above width / 2. The default is one and a half texels, so that silhouettes do not alias.
+double edge(double distance, double width = 0.009) {
+    const double t = clamp01(distance / width + 0.5);
+    return t * t * (3 - 2 * t);
+}
+
+// Uniform in [0, 1) at every lattice point: a mixed product of large odd numbers.
+double lattice(int i, int j) {
+    std::uint32_t h = static_cast<std::uint32_t>(i) * 0x9e3779b1u ^ static_cast<std::uint32_t>(j) * 0x85ebca77u;
+    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+    h = (h ^ (h >> 12)) * 0x297a2d39u;
+    return (h ^ (h >> 15)) * 0x1p-32;
+}
+
+// Smooth noise in [0, 1) with features of size 1. The arguments stay below 1e6.
+double noise(double x, double y) {
+    const double floor_x = std::floor(x), floor_y = std::floor(y);
+    const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
+    const double s = edge(x - floor_x - 0.5, 1), t = edge(y - floor_y - 0.5, 1);
+    return (1 - t) * ((1 - s) * lattice(i, j) + s * lattice(i + 1, j)) +
+           t * ((1 - s) * lattice(i, j + 1) + s * lattice(i + 1, j + 1));
+}
+
+Color sky(Vec3 d) {
+    const double to_sun = clamp01(0.5 + 0.5 * dot(d, sun)), glow = to_sun * to_sun * to_sun * to_sun;
+    const double halo = 0.004 / (0.004 + (1 - to_sun));
+    const Color air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
+    const Color haze = mix(air, {1.0, 0.94, 0.84}, 0.8 * glow * std::sqrt(glow) + 0.2 * halo);
+    return mix(haze, {1.0, 0.98, 0.92}, edge(to_sun - 0.9981, 0.001));  // a disc of radius 5 degrees
+}
+
+// Dunes on a plane one unit below the eye; haze swallows them with distance.
+Color ground(Vec3 d) {
+    const double distance = 1 / (0.01 - d.y);
+    const double x = 0.6 * distance * d.x, z = 0.6 * distance * d.z;
+    const double slope = noise(x + 0.2, 1.6 * z + 0.2) - noise(x - 0.2, 1.6 * z - 0.2);
+    const Color lit = (0.80 - 0.45 * slope) * sand;
+    return mix(lit, horizon, 0.7 * clamp01(distance / (distance + 15)));
+}
+
+// A skyline around the horizon: flat tops where the noise is high, gentle hills elsewhere.
+double skyline(Vec3 d, double scale, double height) {
+    const double to_circle = scale / std::sqrt(d.x * d.x + d.z * d.z + 1e-9);
+    const double n = noise(to_circle * d.x + 40 * scale, to_circle * d.z);
+    return height * (0.15 + 0.25 * n + 0.6 * edge(n - 0.62, 0.12)) - d.y;
+}
+
+Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
+
+// A fin of sandstone in the plane z = -1 around the hole |x / 0.48|^3 + |(y + 0.12) / 0.585|^3 < 1. Its surface bends
+// towards the nearer border.
+Color arch(Color behind, Vec3 d) {
+    const double u = d.x / -d.z, v = d.y / -d.z;
+    if (!(d.z < 0 && std::fabs(u) < 1 && v < 0.7 && v > -0.1)) return behind;
+    const double x = u + 0.06 * (noise(7 * u, 7 * v) - 0.5), y = v + 0.06 * (noise(7 * u, 7 * v + 50) - 0.5);
+    const double a = x / 0.48, b = (y + 0.12) / 0.585;
+    const Vec3 outward{a * std::fabs(a) / 0.48, b * std::fabs(b) / 0.585, 0};
+    const double hole = (a * a * std::fabs(a) + b * b * std::fabs(b) - 1) / (3 * length(outward) + 1e-9);
+    const Vec3 upward = normalize({1.7 * x, 1, 0});
+    const double roof = (0.555 - 0.85 * x * x - y) * upward.y;
+    const double worn_hole = 1 - edge(hole - 0.04, 0.08), worn_roof = 1 - edge(roof - 0.05, 0.1);
+    const Vec3 into_hole = (-worn_hole / (length(outward) + 1e-9)) * outward;
+    const Vec3 normal = normalize(Vec3{0, 0, 0.6} + worn_roof * upward + into_hole);
+    const Color lit = (0.35 + 0.95 * clamp01(dot(normal, sun))) * strata(v + 0.1 * noise(3 * u, 3 * v));
+    return mix(behind, lit, edge(hole) * edge(roof) * edge(v + 0.07));
+}
+
+Color desert(Vec3 d) {
+    if (d.y > 0.5) return sky(d);
+    if (d.y < -0.1) return ground(d);
+    Color color = mix(ground(d), sky(d), edge(d.y));
+    color = mix(color, mix(strata(3 * d.y), horizon, 0.62), edge(skyline(d, 3, 0.13)) * edge(d.y));
+    color = mix(color, mix(strata(2 * d.y), horizon, 0.35), edge(skyline(d, 5, 0.08)) * edge(d.y + 0.01));
+    return arch(color, d);
+}
+
+}  // namespace
+
+EnvironmentMap built_in_environment() {
+    constexpr int width = 1024, height = 512;
+    std::vector<portable::SineCosine> azimuths;
+    for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
+    std::vector<float> rgb;
+    rgb.reserve(3 * width * height);
+    for (int row = 0; row < height; ++row) {
+        const portable::SineCosine polar = portable::sincos_turns(0.5 * (row + 0.5) / (height - 1));
+        for (const portable::SineCosine& azimuth : azimuths) {
+            const Color c = desert({polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine});
+            for (const double value : {c.x, c.y, c.z}) rgb.push_back(static_cast<float>(clamp01(value)));
+        }
+    }
+    return EnvironmentMap(width, height, std::move(rgb));
+}
+
+// ---- Radiance pictures.
+
+namespace {
+
+class RadianceReader {
+public:
+    explicit RadianceReader(std::streambuf& bytes) : bytes_(bytes) {
+        scale_[136] = 1;
+        for (std::size_t e = 136; e < 255; ++e) scale_[e + 1] = 2 * scale_[e];
+        for (std::size_t e = 136; e > 1; --e) scale_[e - 1] = scale_[e] / 2;
+    }
+
+    EnvironmentMap read() {
+        read_header();
+        for (row_ = 0; row_ < height_; ++row_) read_scanline();
+        return EnvironmentMap(width_, height_, std::move(rgb_));
+    }
+
+private:
+    using Rgbe = std::array<unsigned char, 4>;
+
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw std::runtime_error(row_ < 0 ? problem : "row " + std::to_string(row_) + ": " + problem);
+    }
+
+    // Text from the file, fit for an error message of one line.
+    static std::string quote(const std::string& text) {
+        std::string quoted = "'";
+        for (const char c : text.substr(0, 60)) quoted += c >= ' ' && c <= '~' ? c : '?';
+        return quoted + (text.size() > 60 ? "...'" : "'");
+    }
+
+    std::string header_line() {
+        std::string line;
+        for (int c = bytes_.sbumpc(); c != '\n'; c = bytes_.sbumpc()) {
+            if (c == std::char_traits<char>::eof()) fail("the file ends inside the header");
+            line += static_cast<char>(c);
+            if (line.size() > 4096) fail("a line of the header is longer than 4096 characters");
+        }
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+        return line;
+    }
+
+    void read_header() {
+        const bool hash = bytes_.sbumpc() == '#', question_mark = bytes_.sbumpc() == '?';
+        const std::string program = hash && question_mark ? header_line() : "";
+        if (program != "RADIANCE" && program != "RGBE")
+            fail("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
+        int lines = 0;
+        for (std::string line = header_line(); !line.empty(); line = header_line()) {
+            if (line.compare(0, 7, "FORMAT=") == 0 && line != "FORMAT=32-bit_rle_rgbe")
+                fail("format " + quote(line.substr(7)) + " is not supported, only 32-bit_rle_rgbe is");
+            if (++lines > 1000) fail("the header has more than 1000 lines");
+        }
+        read_size(header_line());
+    }
+
+    void read_size(const std::string& line) {
+        std::istringstream words(line);
+        std::string y, height, x, width, more;
+        words >> y >> height >> x >> width;
+        if (y != "-Y" || x != "+X" || words >> more)
+            fail("resolution line " + quote(line) + " is not supported, only '-Y height +X width' is");
+        height_ = size(height);
+        width_ = size(width);
+        if (std::int64_t{width_} * height_ > EnvironmentMap::max_texels)
+            fail("a picture of " + width + " x " + height + " texels exceeds the limit of " +
+                 std::to_string(EnvironmentMap::max_texels) + " texels");
+    }
+
+    int size(const std::string& word) const {
+        const bool digits = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+        const int value = digits && word.size() <= 9 ? std::stoi(word) : 0;
+        if (value >= 1 && value <= EnvironmentMap::max_texels) return value;
+        fail("size " + quote(word) + " is not a whole number from 1 to " + std::to_string(EnvironmentMap::max_texels));
+    }
+
+    unsigned char byte() {
+        const int c = bytes_.sbumpc();
+        if (c == std::char_traits<char>::eof()) fail("the file ends inside a scanline");
+        return static_cast<unsigned char>(c);
+    }
+
+    Rgbe texel() {
+        Rgbe rgbe;
+        for (unsigned char& component : rgbe) component = byte();
+        return rgbe;
+    }
+
+    // Exact: 8 bits of mantissa, and 2^-135 is 2^14 times the smallest float.
+    void append(const Rgbe& rgbe) {
+        for (std::size_t i = 0; i < 3; ++i) rgb_.push_back(static_cast<float>(rgbe[i]) * scale_[rgbe[3]]);
+    }
+
+    // New scanlines announce themselves by a first texel (2, 2, high, low) that no encoder writes: the largest mantissa
+    // is always at least 128.
+    void read_scanline() {
+        const Rgbe first = texel();
+        const bool announces_runs = first[0] == 2 && first[1] == 2 && first[2] < 128;
+        if (!announces_runs || width_ < 8 || width_ > 32767) return read_flat_or_old(first);
+        const int announced = first[2] * 256 + first[3];
+        if (announced != width_)
+            fail("the scanline announces " + std::to_string(announced) + " texels instead of " +
+                 std::to_string(width_));
+        scanline_.resize(static_cast<std::size_t>(width_));
+        for (std::size_t component = 0; component < 4; ++component) read_component(component);
+        for (const Rgbe& rgbe : scanline_) append(rgbe);
+    }
+
+    // A code above 128: the next byte, code - 128 times. Otherwise: that many bytes follow.
+    void read_component(std::size_t component) {
+        for (std::size_t x = 0; x < scanline_.size();) {
+            const std::size_t code = byte(), count = code > 128 ? code - 128 : code;
+            if (count == 0) fail("a run of length 0");
+            if (count > scanline_.size() - x) fail("a run goes past the end of the scanline");
+            const unsigned char repeated = code > 128 ? byte() : static_cast<unsigned char>(0);
+            for (std::size_t end = x + count; x < end; ++x) scanline_[x][component] = code > 128 ? repeated : byte();
+        }
+    }
+
+    // A texel (1, 1, 1, n) repeats the one before it n times; if such texels follow each other, they are the digits of
+    // the count in base 256, the lowest first.
+    void read_flat_or_old(Rgbe rgbe) {
+        for (int x = 0, shift = 0;; rgbe = texel()) {
+            if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) {
+                if (x == 0) fail("the scanline begins with a run, which has no texel to repeat");
+                if (shift > 24 || std::int64_t{rgbe[3]} << shift > width_ - x)
+                    fail("a run goes past the end of the scanline");
+                const int count = rgbe[3] << shift;
+                for (int i = 0; i < 3 * count; ++i) rgb_.push_back(rgb_[rgb_.size() - 3]);
+                x += count;
+                shift += 8;
+            } else {
+                append(rgbe);
+                ++x;
+                shift = 0;
+            }
+            if (x == width_) return;
+        }
+    }
+
+    std::streambuf& bytes_;
+    int row_ = -1, width_ = 0, height_ = 0;
+    std::array<float, 256> scale_{};  // 2^(e - 136); 0 for e = 0
+    std::vector<Rgbe> scanline_;
+    std::vector<float> rgb_;
+};
+
+}  // namespace
+
+EnvironmentMap read_radiance_hdr(std::istream& in) { return RadianceReader(*in.rdbuf()).read(); }

@@ -1,0 +1,73 @@
+#include "gaussian_process.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+double sum_of_products(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions) {
+    std::vector<double> z;
+    z.reserve(directions.size());
+    for (const Vec3& direction : directions) {
+        if (!(direction.y >= 0))
+            throw std::invalid_argument("a direction lies below the horizon: its y is " + std::to_string(direction.y));
+        z.push_back(covariance.hemisphere_integral(std::min(direction.y, 1.0)));
+    }
+    return z;
+}
+
+}  // namespace
+
+Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
+    if (directions.empty()) throw std::invalid_argument("a Gaussian process needs at least one direction");
+    if (!(noise >= 0 && std::isfinite(noise)))
+        throw std::invalid_argument("the noise must be at least 0; it is " + std::to_string(noise));
+    const std::size_t n = directions.size();
+    Matrix q(n, n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = i; j < n; ++j) {
+            const Vec3 chord = directions[i] - directions[j];
+            q(i, j) = covariance(dot(chord, chord));
+        }
+        q(i, i) += noise * noise;
+    }
+    return q;
+}
+
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions)
+    : directions_(std::move(directions)),
+      z_(hemisphere_integrals(covariance, directions_)),
+      double_integral_(covariance.double_integral()),
+      cholesky_(covariance_matrix(covariance, noise, directions_)),
+      weights_(cholesky_.solve(z_)) {}
+
+double GaussianProcess::integral(const std::vector<double>& values) const {
+    require_one_value_per_direction(values);
+    return sum_of_products(weights_, values);
+}
+
+double GaussianProcess::variance() const { return std::max(0.0, double_integral_ - sum_of_products(z_, weights_)); }
+
+double GaussianProcess::amplitude(const std::vector<double>& values) const {
+    require_one_value_per_direction(values);
+    const std::vector<double> whitened = cholesky_.solve_lower(values);
+    return std::sqrt(sum_of_products(whitened, whitened) / static_cast<double>(values.size()));
+}
+
+double GaussianProcess::standard_error(const std::vector<double>& values) const {
+    return amplitude(values) * std::sqrt(variance());
+}
+
+void GaussianProcess::require_one_value_per_direction(const std::vector<double>& values) const {
+    if (values.size() != directions_.size())
+        throw std::invalid_argument("a Gaussian process of " + std::to_string(directions_.size()) +
+                                    " directions was given " + std::to_string(values.size()) + " values");
+}

@@ -1,0 +1,58 @@
+// A Gaussian process with zero prior mean over the hemisphere, and the Bayesian Monte Carlo estimate of an integral
+// (Rasmussen & Ghahramani, "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
+//     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f over H ~ sum of weights_i f(w_i).
+//
+// Q, z and the weights depend on the directions alone, never on f: a process is made once, never changes, and serves
+// any number of integrals and threads. Rotating the directions about the up axis leaves all of it as it is.
+#pragma once
+
+#include "cholesky.h"
+#include "covariance.h"
+#include "vec3.h"
+
+#include <vector>
+
+class GaussianProcess {
+public:
+    // n >= 1 unit directions in the upper hemisphere; noise >= 0 is the standard deviation of the samples' error in
+    // units of the amplitude, and what keeps Q positive definite where samples nearly coincide. Throws
+    // std::invalid_argument for an empty set, a direction below the horizon or a bad noise; NotPositiveDefinite.
+    GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions);
+
+    const std::vector<Vec3>& directions() const { return directions_; }
+
+    // z_j, the integral over H of k(w_j, w) dw.
+    const std::vector<double>& z() const { return z_; }
+
+    // Q^-1 z, by two triangular solves.
+    const std::vector<double>& weights() const { return weights_; }
+
+    const Cholesky& cholesky() const { return cholesky_; }
+
+    // Q^-1, n x n. An estimate needs only the weights; leave-one-out needs the inverse.
+    Matrix inverse_covariance() const { return cholesky_.inverse(); }
+
+    // The estimate of the integral of f over H; values[i] = f(directions()[i]), n of them in all these functions.
+    double integral(const std::vector<double>& values) const;
+
+    // Posterior variance of the integral for a process of amplitude 1: zz - z^T Q^-1 z, not below 0.
+    double variance() const;
+
+    // The amplitude a of k that makes the values most likely, a^2 = Y^T Q^-1 Y / n.
+    double amplitude(const std::vector<double>& values) const;
+
+    // Standard error that the process predicts for integral(values): amplitude * sqrt(variance).
+    double standard_error(const std::vector<double>& values) const;
+
+private:
+    void require_one_value_per_direction(const std::vector<double>& values) const;
+
+    std::vector<Vec3> directions_;
+    std::vector<double> z_;
+    double double_integral_;
+    Cholesky cholesky_;
+    std::vector<double> weights_;
+};
+
+// Q, n x n, its upper triangle only: what Cholesky reads.
+Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);

@@ -1,0 +1,62 @@
+// Elementary functions that give the same bits on every machine, and the guards that keep them.
+//
+// libm's exp, log, pow, sin differ between libraries and even between processors running one binary, so nothing that
+// decides a byte of output may call them. The functions here use + - * / floor and integer operations only, which IEEE
+// 754 defines to the last bit. Every other file includes this header first, so that its guards hold there.
+#pragma once
+
+// The guards. UNGUARDED_ARITHMETIC switches all of them off, for one purpose: a portability check has to see that other
+// arithmetic (-march=native -ffp-contract=fast) does change the output. Never define it in a build whose output counts.
+#ifndef UNGUARDED_ARITHMETIC
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "fast-math reorders sums and changes the output: compile without -ffast-math, -Ofast and their parts"
+#endif
+
+// Compilers contract a * b + c to one fused operation where the processor has it, which rounds once instead of twice.
+// The Makefile says -ffp-contract=off; these lines say it again to whoever compiles without the Makefile. (clang
+// disregards them if the command line says -ffp-contract=fast; check_arithmetic() refuses to run then.)
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#endif
+
+#endif  // UNGUARDED_ARITHMETIC
+
+#include <cfloat>
+
+#ifndef UNGUARDED_ARITHMETIC
+static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-bit x86 use -msse2 -mfpmath=sse");
+#endif
+
+namespace portable {
+
+constexpr double pi = 3.14159265358979323846;
+
+// e^x. Error at most 1 ulp (unit in the last place). exp(-inf) = 0, exp(inf) = inf, exp(nan) = nan; overflow gives inf,
+// underflow goes through the subnormal numbers to 0.
+double exp(double x);
+
+// Natural logarithm. Error at most 1 ulp. log(0) = -inf, log(inf) = inf; log of a negative number or of nan is nan.
+double log(double x);
+
+// x^y for x >= 0 (nan for x < 0). Error at most 1 ulp. pow(x, 0) = 1 and pow(1, y) = 1, even for nan; pow(0, y) is 0 or
+// inf by the sign of y. A power that is a double is returned exactly: pow(x, 1) = x, pow(81, 0.75) = 27.
+double pow(double x, double y);
+
+// Sine and cosine of an angle given in turns (1 turn = 2 pi radians), so that the reduction to an octant is exact.
+// Error at most 1 ulp each; multiples of a quarter turn give exactly 0 (of either sign) and +-1. Domain: any finite
+// number; an infinity or nan gives two nan.
+struct SineCosine {
+    double sine;
+    double cosine;
+};
+SineCosine sincos_turns(double turns);
+
+// Throws std::runtime_error if this process does not compute as IEEE 754 doubles, rounded to nearest, with subnormals
+// and without contraction of a * b + c: its output would then differ from the references.
+void check_arithmetic();
+
+}  // namespace portable

@@ -1,0 +1,157 @@
+#include "../common/cholesky.h"
+
+#include "../common/gaussian_process.h"
+#include "../common/hemisphere.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+namespace {
+
+// Largest sum of absolute values in a row: the infinity norm.
+double norm(const Matrix& a) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.rows(); ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < a.columns(); ++j) sum += std::fabs(a(i, j));
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
+Matrix product_with_transpose(const Matrix& a, const Matrix& b) {  // a^T b
+    Matrix product(a.columns(), b.columns());
+    for (std::size_t k = 0; k < a.rows(); ++k)
+        for (std::size_t i = 0; i < a.columns(); ++i)
+            for (std::size_t j = 0; j < b.columns(); ++j) product(i, j) += a(k, i) * b(k, j);
+    return product;
+}
+
+Matrix symmetric(Matrix a) {
+    for (std::size_t i = 0; i < a.rows(); ++i)
+        for (std::size_t j = 0; j < i; ++j) a(i, j) = a(j, i);
+    return a;
+}
+
+// B^T B + I for a random B: condition number of a few n.
+Matrix random_spd(std::size_t n, std::uint64_t seed) {
+    Random random(seed, n);
+    Matrix b(n, n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) b(i, j) = random.uniform() - 0.5;
+    Matrix a = product_with_transpose(b, b);
+    for (std::size_t i = 0; i < n; ++i) a(i, i) += 1;
+    return a;
+}
+
+std::vector<Matrix> test_matrices() {
+    std::vector<Matrix> matrices;
+    for (std::size_t n : {1, 2, 3, 7, 8, 9, 40, 65}) {
+        matrices.push_back(random_spd(n, 1));
+        Random random(2, n);
+        const std::vector<Vec3> directions = uniform_directions(n, random);
+        matrices.push_back(symmetric(covariance_matrix(Sobolev(), 0.01, directions)));
+        matrices.push_back(symmetric(covariance_matrix(SquaredExponential(0.3), 0.01, directions)));
+    }
+    return matrices;
+}
+
+}  // namespace
+
+TEST_CASE("cholesky reproduces the matrix: |A - L L^T| / (n eps |A|) < 10, LAPACK's ratio") {
+    for (const Matrix& a : test_matrices()) {
+        const Cholesky cholesky(a);
+        Matrix difference = product_with_transpose(cholesky.upper(), cholesky.upper());
+        for (std::size_t i = 0; i < a.rows(); ++i)
+            for (std::size_t j = 0; j < a.rows(); ++j) difference(i, j) -= a(i, j);
+        CHECK(norm(difference) / (static_cast<double>(a.rows()) * DBL_EPSILON * norm(a)) < 10);
+    }
+}
+
+TEST_CASE("cholesky inverts: |I - A A^-1| / (n eps |A| |A^-1|) < 10, LAPACK's ratio, and the inverse is symmetric") {
+    for (const Matrix& a : test_matrices()) {
+        const Matrix inverse = Cholesky(a).inverse();
+        Matrix residual = product_with_transpose(a, inverse);
+        for (std::size_t i = 0; i < a.rows(); ++i) {
+            residual(i, i) -= 1;
+            for (std::size_t j = 0; j < i; ++j) CHECK(inverse(i, j) == inverse(j, i));
+        }
+        CHECK(norm(residual) / (static_cast<double>(a.rows()) * DBL_EPSILON * norm(a) * norm(inverse)) < 10);
+    }
+}
+
+TEST_CASE("cholesky solves: |b - A x| / (n eps |A| |x|) < 10, and half a solution gives b^T A^-1 b") {
+    for (const Matrix& a : test_matrices()) {
+        const std::size_t n = a.rows();
+        Random random(3, n);
+        std::vector<double> b(n);
+        for (double& element : b) element = random.uniform();
+        const Cholesky cholesky(a);
+        const std::vector<double> x = cholesky.solve(b), half = cholesky.solve_lower(b);
+        double residual = 0, x_norm = 0, form = 0, half_squared = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            double r = b[i];
+            for (std::size_t j = 0; j < n; ++j) r -= a(i, j) * x[j];
+            residual = std::max(residual, std::fabs(r));
+            x_norm = std::max(x_norm, std::fabs(x[i]));
+            form += b[i] * x[i];
+            half_squared += half[i] * half[i];
+        }
+        CHECK(residual / (static_cast<double>(n) * DBL_EPSILON * norm(a) * x_norm) < 10);
+        // Both are b^T A^-1 b; their difference is bounded by the same residual.
+        CHECK(std::fabs(form - half_squared) <=
+              10 * static_cast<double>(n) * DBL_EPSILON * norm(a) * x_norm * x_norm * static_cast<double>(n));
+    }
+}
+
+TEST_CASE("cholesky knows the determinant of a matrix of small integers") {
+    // A = L L^T with L = [2; 1 3; 4 5 6]: det A = (2 * 3 * 6)^2.
+    Matrix a(3, 3);
+    const double elements[3][3] = {{4, 2, 8}, {2, 10, 19}, {8, 19, 77}};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) a(i, j) = elements[i][j];
+    const Cholesky cholesky(a);
+    CHECK(cholesky.upper()(0, 2) == 4);
+    CHECK(cholesky.upper()(1, 2) == 5);
+    CHECK(cholesky.upper()(2, 2) == 6);
+    CHECK(cholesky.upper()(2, 0) == 0);
+    CHECK(std::fabs(cholesky.log_determinant() - 2 * std::log(36.0)) < 2e-15);
+}
+
+TEST_CASE("cholesky rejects an indefinite matrix and names the pivot") {
+    for (Matrix a : test_matrices()) {
+        for (std::size_t i = 0; i < a.rows(); ++i)
+            for (std::size_t j = 0; j < a.rows(); ++j) a(i, j) = -a(i, j);
+        try {
+            Cholesky cholesky(a);
+            FAIL("a negative definite matrix was factored");
+        } catch (const NotPositiveDefinite& error) {
+            CHECK(error.index == 0);
+            CHECK(error.value == a(0, 0));
+        }
+    }
+    Matrix a(2, 2);
+    a(0, 0) = 4;
+    a(0, 1) = a(1, 0) = 2;
+    a(1, 1) = 1;  // singular: the second pivot is exactly 0
+    try {
+        Cholesky cholesky(a);
+        FAIL("a singular matrix was factored");
+    } catch (const NotPositiveDefinite& error) {
+        CHECK(error.index == 1);
+        CHECK(error.value == 0);
+        CHECK(
+            std::string(error.what()) ==
+            "the matrix is not positive definite: pivot 1 is 0, within its rounding error of 4.4e-16; raise the noise");
+    }
+    a(1, 1) = std::nan("");
+    CHECK_THROWS_AS(Cholesky{a}, NotPositiveDefinite);
+}
+
+TEST_CASE("cholesky rejects shapes that do not fit") {
+    CHECK_THROWS_AS(Cholesky(Matrix(2, 3)), std::invalid_argument);
+    CHECK_THROWS_AS(Cholesky(random_spd(3, 1)).solve({1, 2}), std::invalid_argument);
+}

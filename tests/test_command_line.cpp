@@ -1,0 +1,71 @@
+#include "../common/command_line.h"
+
+#include <doctest/doctest.h>
+
+#include <getopt.h>
+
+namespace {
+
+std::vector<std::string> parse(std::vector<std::string> words, const std::vector<Option>& options) {
+    words.insert(words.begin(), "program");
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    optind = 0;  // a fresh scan
+    return parse_options(static_cast<int>(words.size()), argv.data(), options);
+}
+
+}  // namespace
+
+TEST_CASE("options take values in both spellings and leave the rest") {
+    std::string value;
+    bool flag = false;
+    const std::vector<Option> options = {{"value", "X", "", [&](const std::string& text) { value = text; }},
+                                         {"flag", "", "", [&](const std::string&) { flag = true; }}};
+    CHECK(parse({"--value", "3", "rest", "--flag"}, options) == std::vector<std::string>{"rest"});
+    CHECK(value == "3");
+    CHECK(flag);
+    CHECK(parse({"--value=4"}, options).empty());
+    CHECK(value == "4");
+    CHECK_THROWS_WITH_AS(parse({"--other"}, options), "there is no option --other; --help lists them all", UsageError);
+    CHECK_THROWS_WITH_AS(parse({"--value"}, options), "--value needs a value; --help shows which", UsageError);
+    CHECK_THROWS_AS(parse({"--flag=1"}, options), UsageError);
+    CHECK_THROWS_AS(parse({"-v"}, options), UsageError);
+}
+
+TEST_CASE("an error names the option, the value and what is allowed") {
+    const std::vector<Option> options = {
+        {"samples", "N", "", [](const std::string& text) { parse_integer(text, 1, 4096); }}};
+    CHECK_THROWS_WITH_AS(parse({"--samples", "0"}, options), "--samples: '0' is not a whole number from 1 to 4096",
+                         UsageError);
+}
+
+TEST_CASE("numbers are read entirely or not at all") {
+    CHECK(parse_real("0.25", 0, 1) == 0.25);
+    CHECK(parse_real("1e-3", 0, 1) == 0.001);
+    for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "-inf", "1e400", "-1", "2", "0,5", "--"})
+        CHECK_THROWS_AS(parse_real(text, 0, 1), UsageError);
+    CHECK(parse_integer("17", 1, 20) == 17);
+    for (const char* text : {"", "0", "21", "1.5", "1e1", "99999999999999999999", "-1", "0x10", "nan"})
+        CHECK_THROWS_AS(parse_integer(text, 1, 20), UsageError);
+    CHECK(parse_seed("0") == 0);
+    CHECK_THROWS_AS(parse_seed("-1"), UsageError);
+}
+
+TEST_CASE("a choice is one of its names") {
+    CHECK(parse_choice<int>("b", {{"a", 1}, {"b", 2}}) == 2);
+    CHECK_THROWS_WITH_AS(parse_choice<int>("c", {{"a", 1}, {"b", 2}}), "'c' is none of a, b", UsageError);
+}
+
+TEST_CASE("model options make the covariance that they name") {
+    ModelOptions model;
+    CHECK(parse({"--covariance", "squared-exponential", "--length-scale", "0.5"}, model.options()).empty());
+    CHECK((*model.make_covariance())(0.75) == SquaredExponential(0.5)(0.75));
+    CHECK(
+        parse({"--covariance", "sobolev", "--smoothness", "1.3", "--placement", "fibonacci"}, model.options()).empty());
+    CHECK((*model.make_covariance())(0.75) == Sobolev(1.3)(0.75));
+    CHECK(model.placement == Placement::fibonacci);
+    for (const char* bad : {"1", "2", "0", "nan", "1.5x"})
+        CHECK_THROWS_AS(parse({"--smoothness", bad}, model.options()), UsageError);
+    CHECK_THROWS_AS(parse({"--noise", "-1"}, model.options()), UsageError);
+}

@@ -1,0 +1,47 @@
+#include "../common/experiments.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+TEST_CASE("the integrands' truths agree with a dense quadrature") {
+    // 5e4 Fibonacci points; the environment's edges leave the largest error, about n^(-3/4).
+    const std::vector<Vec3> directions = fibonacci_directions(50000);
+    for (const Integrand& integrand : practice_integrands()) {
+        double sum = 0;
+        for (const Vec3& direction : directions) sum += integrand.value(direction);
+        CHECK(std::fabs(2 * portable::pi / 5e4 * sum / integrand.truth - 1) < 3e-4);
+    }
+}
+
+TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
+    // Normal errors: E |error| = sqrt(2 / pi) * 2 pi sqrt(1/12 / n) for cos(theta); the mean of 4000 has a relative
+    // standard error of 0.756 / sqrt(4000), and 5 of them allow for the normal approximation too.
+    ErrorSettings settings;
+    settings.samples = {40};
+    settings.mc_estimates = 4000;
+    settings.bmc_estimates = 1;
+    const std::vector<ErrorRow> rows = error_table(practice_integrands()[1], Sobolev(), SquaredExponential(), settings);
+    REQUIRE(rows.size() == 1);
+    const double expected = std::sqrt(2 / portable::pi) * 2 * portable::pi * std::sqrt(1.0 / 12 / 40);
+    CHECK(std::fabs(rows[0].mc_error / expected - 1) < 5 * 0.756 / std::sqrt(4000));
+}
+
+TEST_CASE("Bayesian Monte Carlo beats Monte Carlo on every integrand that varies, by more with more samples") {
+    ErrorSettings settings;
+    settings.samples = {20, 100};
+    settings.bmc_estimates = 50;
+    for (const Integrand& integrand : practice_integrands()) {
+        if (integrand.name == "constant") continue;
+        const std::vector<ErrorRow> rows = error_table(integrand, Sobolev(), SquaredExponential(), settings);
+        CHECK(rows[0].gain() > 1);
+        CHECK(rows[1].gain() > rows[0].gain());
+        CHECK(rows[1].equivalent_mc_samples() == 100 * rows[1].gain() * rows[1].gain());
+    }
+}
+
+TEST_CASE("an exact estimate has no infinite or undefined gain beside another exact one") {
+    CHECK(ErrorRow{10, 0, 0, 0, 0}.gain() == 1);
+    CHECK(std::isinf(ErrorRow{10, 1, 0, 0, 0}.gain()));
+    CHECK(ErrorRow{10, 3, 2, 0, 0}.gain() == 1.5);
+}

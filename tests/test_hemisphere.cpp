@@ -1,0 +1,91 @@
+#include "../common/hemisphere.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+
+double largest_difference(Vec3 a, Vec3 b) {
+    return std::max({std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z)});
+}
+
+}  // namespace
+
+TEST_CASE("uniform directions are unit vectors of the upper hemisphere with the moments of the uniform density") {
+    constexpr std::size_t n = 200000;
+    Random random(1, 0);
+    double cosine = 0, cosine_squared = 0, x = 0, z = 0, xz = 0;
+    for (const Vec3& d : uniform_directions(n, random)) {
+        REQUIRE(std::fabs(length(d) - 1) < 1e-15);
+        REQUIRE(d.y > 0);
+        cosine += d.y / n;
+        cosine_squared += d.y * d.y / n;
+        x += d.x / n;
+        z += d.z / n;
+        xz += d.x * d.z / n;
+    }
+    // 5 standard errors. The cosine is uniform in (0, 1]: variances 1/12 and 4/45. By symmetry x and z have variance
+    // 1/3, and E (xz)^2 = 1/15.
+    CHECK(std::fabs(cosine - 1.0 / 2) < 5 * std::sqrt(1.0 / 12 / n));
+    CHECK(std::fabs(cosine_squared - 1.0 / 3) < 5 * std::sqrt(4.0 / 45 / n));
+    CHECK(std::fabs(x) < 5 * std::sqrt(1.0 / 3 / n));
+    CHECK(std::fabs(z) < 5 * std::sqrt(1.0 / 3 / n));
+    CHECK(std::fabs(xz) < 5 * std::sqrt(1.0 / 15 / n));
+}
+
+TEST_CASE("Fibonacci directions have equidistant elevation cosines and keep apart") {
+    constexpr std::size_t n = 100;
+    const std::vector<Vec3> directions = fibonacci_directions(n);
+    double nearest = 2;
+    for (std::size_t i = 0; i < n; ++i) {
+        CHECK(std::fabs(length(directions[i]) - 1) < 1e-15);
+        CHECK(directions[i].y == 1 - (static_cast<double>(i) + 0.5) / n);
+        for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, length(directions[i] - directions[j]));
+    }
+    // A square cell of the mean solid angle 2 pi / n has side sqrt(2 pi / n): a well-spread set keeps most of it.
+    CHECK(nearest > 0.7 * std::sqrt(2 * portable::pi / n));
+}
+
+TEST_CASE("rotation about y keeps elevation, length and the angles between directions") {
+    Random random(2, 0);
+    const std::vector<Vec3> directions = uniform_directions(50, random);
+    for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
+        const double turns = random.uniform();
+        const Vec3 a = rotate_around_y(directions[i], turns), b = rotate_around_y(directions[i + 1], turns);
+        CHECK(a.y == directions[i].y);
+        CHECK(std::fabs(dot(a, b) - dot(directions[i], directions[i + 1])) < 1e-15);
+    }
+    CHECK(largest_difference(rotate_around_y({0, 0.6, 0.8}, 0.25), {0.8, 0.6, 0}) == 0);  // from z towards x
+}
+
+TEST_CASE("a frame is orthonormal and right-handed around every normal, the axes and their neighbours included") {
+    Random random(3, 0);
+    std::vector<Vec3> normals = uniform_directions(2000, random);
+    for (std::size_t i = 0; i < 1000; ++i) normals[i] = -1 * normals[i];
+    for (double sign : {1.0, -1.0})
+        for (double tilt : {0.0, 1e-9, -1e-9, 1e-300})
+            for (Vec3 axis : {Vec3{sign, tilt, 0}, Vec3{0, sign, tilt}, Vec3{tilt, 0, sign}, Vec3{0, tilt, sign}})
+                normals.push_back(axis);
+    for (const Vec3& normal : normals) {
+        const Frame frame(normal);
+        // A dozen roundings of numbers of size 1.
+        CHECK(std::fabs(dot(frame.tangent, frame.tangent) - 1) < 2e-15);
+        CHECK(std::fabs(dot(frame.bitangent, frame.bitangent) - 1) < 2e-15);
+        CHECK(std::fabs(dot(frame.tangent, frame.bitangent)) < 2e-15);
+        CHECK(std::fabs(dot(frame.tangent, normal)) < 2e-15);
+        CHECK(std::fabs(dot(frame.bitangent, normal)) < 2e-15);
+        CHECK(std::fabs(dot(cross(frame.tangent, frame.normal), frame.bitangent) - 1) < 2e-15);
+        CHECK(largest_difference(frame.to_world({0, 1, 0}), normal) == 0);
+    }
+}
+
+TEST_CASE("a rotated frame carries a direction to where the frame carries the rotated direction") {
+    const Frame frame(normalize({0.3, -0.5, 0.8}));
+    Random random(4, 0);
+    for (const Vec3& direction : uniform_directions(20, random)) {
+        const double turns = random.uniform();
+        CHECK(largest_difference(frame.rotated(turns).to_world(direction),
+                                 frame.to_world(rotate_around_y(direction, turns))) < 1e-15);
+    }
+}

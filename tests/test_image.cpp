@@ -1,0 +1,44 @@
+#include "../common/image.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
+    Image image(2, 2);
+    image.set(0, 0, {0, 1, 0.5});
+    image.set(1, 0, {-3, 7, 0.0031308});
+    image.set(1, 1, {std::nan(""), 0.0001, 1e-30});
+    const std::string ppm = to_ppm(image);
+    // 0.5 encodes to 187.5160, 0.0031308 to 12.92 * 0.0031308 * 255 = 10.31, 0.0001 to 0.33; what is no number is
+    // black.
+    const unsigned char pixels[] = {0, 255, 188, 0, 255, 10, 0, 0, 0, 0, 0, 0};
+    CHECK(ppm == "P6\n2 2\n255\n" + std::string(reinterpret_cast<const char*>(pixels), sizeof pixels));
+}
+
+TEST_CASE("PPM: every byte is the correctly rounded sRGB code of its value") {
+    Image image(1, 1);
+    for (int i = 0; i <= 1000; ++i) {
+        const double linear = static_cast<float>(i / 1000.0);
+        image.set(0, 0, {linear, 0, 0});
+        const double code = 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
+        const std::string ppm = to_ppm(image);
+        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 3]) == static_cast<unsigned char>(std::floor(code + 0.5)));
+    }
+}
+
+TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are") {
+    Image image(1, 2);
+    image.set(0, 0, {1, 0, -2});
+    image.set(0, 1, {0.5, 1e30, 0});
+    const unsigned char pixels[] = {0, 0, 0,    0x3f, 0xca, 0xf2, 0x49, 0x71, 0, 0, 0, 0,
+                                    0, 0, 0x80, 0x3f, 0,    0,    0,    0,    0, 0, 0, 0xc0};
+    CHECK(to_pfm(image) == "PF\n1 2\n-1.0\n" + std::string(reinterpret_cast<const char*>(pixels), sizeof pixels));
+}
+
+TEST_CASE("an image returns what was set, as floats") {
+    Image image(3, 2);
+    image.set(2, 1, {0.1, 0.2, 0.3});
+    CHECK(image(2, 1).y == static_cast<double>(0.2f));
+    CHECK(image(1, 1).y == 0);
+}

@@ -1,0 +1,41 @@
+#include "../common/quadrature.h"
+
+#include "../common/gaussian_process.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using portable::pi;
+
+TEST_CASE("a Monte Carlo rule integrates a constant exactly") {
+    Random random(1, 0);
+    for (std::size_t n : {1, 2, 40, 1000}) {
+        const QuadratureRule rule = monte_carlo_rule(uniform_directions(n, random));
+        double sum = 0;
+        for (double weight : rule.weights) sum += weight;
+        CHECK(std::fabs(sum / (2 * pi) - 1) < 1e-13);  // n roundings
+        CHECK(rule.directions.size() == n);
+    }
+}
+
+TEST_CASE("a Bayesian rule has the weights of the Gaussian process on its directions") {
+    Random random(1, 1);
+    const std::vector<Vec3> directions = uniform_directions(20, random);
+    const QuadratureRule rule = bayesian_rule(Sobolev(), 0.01, directions);
+    CHECK(rule.weights == GaussianProcess(Sobolev(), 0.01, directions).weights());
+}
+
+TEST_CASE("placements: uniform sets are fresh, Fibonacci sets are one set turned by fresh angles") {
+    Random random(1, 2);
+    const std::vector<Vec3> a = place_directions(Placement::uniform, 10, random),
+                            b = place_directions(Placement::uniform, 10, random);
+    CHECK(a[0].y != b[0].y);
+    const std::vector<Vec3> plain = fibonacci_directions(10),
+                            turned = place_directions(Placement::fibonacci, 10, random);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(turned[i].y == plain[i].y);
+        CHECK(turned[i].x != plain[i].x);
+        CHECK(std::fabs(dot(turned[i], turned[0]) - dot(plain[i], plain[0])) < 1e-15);
+    }
+}

@@ -1,0 +1,82 @@
+#include "../common/scene.h"
+
+#include "../common/hemisphere.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("the camera sees 60 degrees vertically, through pixel centres, row 0 at the top") {
+    const Camera camera{3, 3};
+    CHECK(camera.ray(1, 1).direction.z == -1);
+    // The centre of the top row is 2/3 up to the edge, which is at tan(30 degrees).
+    const Vec3 up = camera.ray(1, 0).direction, right = camera.ray(2, 1).direction;
+    CHECK(std::fabs(up.y / -up.z - 2.0 / 3 * std::tan(portable::pi / 6)) < 1e-15);
+    CHECK(right.x == up.y);
+    const Camera wide{4, 2};
+    CHECK(std::fabs(wide.ray(3, 0).direction.x / wide.ray(3, 0).direction.y - 3) < 1e-15);
+}
+
+TEST_CASE("rays meet the sphere, the rectangle or nothing") {
+    const Scene scene = sphere_scene();
+    const auto ahead = intersect(scene, {{0, 0, 0}, {0, 0, -1}});
+    REQUIRE(ahead);
+    CHECK(ahead->object == Object::sphere);
+    CHECK(ahead->point.z == -3);
+    CHECK(ahead->normal.z == 1);
+    const auto down = intersect(scene, {{0, 0, 0}, normalize({0, -2, -1.5})});
+    REQUIRE(down);
+    CHECK(down->object == Object::rectangle);
+    CHECK(std::fabs(down->point.y + 2) < 1e-15);
+    CHECK(down->normal.y == 1);
+    const auto from_below = intersect(scene, {{3, -5, -5}, {0, 1, 0}});
+    REQUIRE(from_below);
+    CHECK(from_below->normal.y == -1);
+    CHECK(!intersect(scene, {{0, 0, 0}, {0, 1, 0}}));
+    CHECK(!intersect(scene, {{0, 0, 0}, {0, 0, 1}}));   // the sphere lies behind
+    CHECK(!intersect(scene, {{0, -1, 0}, {1, 0, 0}}));  // parallel to the rectangle
+}
+
+TEST_CASE("hits lie on their object and face the ray") {
+    const Scene scene = sphere_scene();
+    const Camera camera{60, 60};
+    int spheres = 0, rectangles = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 60; ++x) {
+            const Ray ray = camera.ray(x, y);
+            const auto hit = intersect(scene, ray);
+            if (!hit) continue;
+            CHECK(dot(hit->normal, ray.direction) < 0);
+            if (hit->object == Object::sphere) {
+                ++spheres;
+                CHECK(std::fabs(length(hit->point - scene.sphere.centre) - 2) < 1e-14);
+            } else {
+                ++rectangles;
+            }
+        }
+    CHECK(spheres > 1000);
+    CHECK(rectangles > 500);
+}
+
+TEST_CASE("shadow tests agree with intersection for every direction") {
+    const Scene scene = sphere_scene();
+    const Camera camera{24, 24};
+    Random random(5, 0);
+    int shadowed = 0, lit = 0;
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) {
+            const auto hit = intersect(scene, camera.ray(x, y));
+            if (!hit) continue;
+            const Frame frame(hit->normal);
+            for (const Vec3& local : uniform_directions(30, random)) {
+                const Vec3 direction = frame.to_world(local);
+                // Off the surface, so that the ray does not meet its own origin.
+                const auto blocker = intersect(scene, {hit->point + 1e-9 * hit->normal, direction});
+                const bool covered = hit->object == Object::sphere
+                                         ? RectangleShadow(scene.rectangle, hit->point).covers(direction)
+                                         : SphereShadow(scene.sphere, hit->point).covers(direction);
+                CHECK(covered == blocker.has_value());
+                ++(covered ? shadowed : lit);
+            }
+        }
+    CHECK(shadowed > 1000);
+    CHECK(lit > 1000);
+}
