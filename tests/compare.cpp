@@ -1,0 +1,209 @@
+// compare REFERENCE ACTUAL: says in words what changed first between an output and its reference, by how much, and how
+// much changed. Knows text tables, PPM (P6) and PFM (PF). Exit status: 0 equal, 1 different, 2 a file cannot be read.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+std::string read_file(const char* name) {
+    std::ifstream in(name, std::ios::binary);
+    std::string content;
+    char block[65536];
+    while (in.read(block, sizeof block) || in.gcount() > 0)
+        content.append(block, static_cast<std::size_t>(in.gcount()));
+    if (!in.eof() || in.bad()) throw std::runtime_error(std::string("cannot read ") + name);
+    return content;
+}
+
+std::string in_words(double value, int digits) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
+std::string count_of(std::size_t differing, std::size_t all, const char* what) {
+    return std::to_string(differing) + " of " + std::to_string(all) + " " + what +
+           (differing == 1 ? " differs" : " differ");
+}
+
+// ---- Text: lines of columns between white space; a line that begins with # is a header.
+
+std::vector<std::string> split_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> split_columns(const std::string& line) {
+    std::istringstream in(line);
+    std::vector<std::string> columns;
+    for (std::string column; in >> column;) columns.push_back(column);
+    return columns;
+}
+
+bool is_row(const std::string& line) { return line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#'; }
+
+std::optional<double> number(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') return std::nullopt;
+    return value;
+}
+
+// Where two rows differ; nothing if they have no column by column difference and have to be shown whole.
+std::optional<std::string> row_difference(const std::string& reference, const std::string& actual) {
+    const std::vector<std::string> expected = split_columns(reference), found = split_columns(actual);
+    if (expected.size() != found.size() || expected == found) return std::nullopt;
+    std::size_t i = 0;
+    while (expected[i] == found[i]) ++i;
+    std::string text = "column " + std::to_string(i + 1) + ": reference " + expected[i] + ", here " + found[i];
+    const std::optional<double> a = number(expected[i]), b = number(found[i]);
+    if (a && b) text += ", differs by " + in_words(std::fabs(*b - *a), 3);
+    return text;
+}
+
+std::string describe_lines(const std::vector<std::string>& reference, const std::vector<std::string>& actual,
+                           std::size_t first) {
+    const auto at = [&](const std::vector<std::string>& lines) {
+        return first < lines.size() ? lines[first] : "nothing";
+    };
+    const std::string line = "line " + std::to_string(first + 1), expected = at(reference), found = at(actual);
+    const auto difference = is_row(expected) && is_row(found) ? row_difference(expected, found) : std::nullopt;
+    if (!difference) return line + ", reference: " + expected + "\n" + line + ", here:      " + found;
+    const auto row =
+        std::count_if(reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(first) + 1, is_row);
+    return "row " + std::to_string(row) + " (" + line + "), " + *difference;
+}
+
+// A reference may have been checked out with Windows line ends; the programs write LF everywhere.
+std::string without_carriage_returns(std::string text) {
+    for (std::size_t at = 0; (at = text.find("\r\n", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+}
+
+std::string text_difference(const std::string& reference_file, const std::string& actual_text) {
+    const std::string reference_text = without_carriage_returns(reference_file);
+    if (reference_text == actual_text) return "";
+    const std::vector<std::string> reference = split_lines(reference_text), actual = split_lines(actual_text);
+    const std::size_t lines = std::max(reference.size(), actual.size());
+    std::size_t first = lines, differing = 0;
+    for (std::size_t i = 0; i < lines; ++i)
+        if (i >= reference.size() || i >= actual.size() || reference[i] != actual[i]) {
+            first = std::min(first, i);
+            ++differing;
+        }
+    if (differing == 0) return "only the line end after the last line differs";
+    std::string text = describe_lines(reference, actual, first) + "; " + count_of(differing, lines, "lines");
+    if (reference.size() != actual.size())
+        text += " (the reference has " + std::to_string(reference.size()) + ", here are " +
+                std::to_string(actual.size()) + ")";
+    return text;
+}
+
+// ---- Images: three channels a pixel.
+
+struct Picture {
+    bool floats;
+    std::size_t width, height;
+    std::string header;                   // in one line
+    std::vector<std::uint32_t> channels;  // PPM: the bytes; PFM: the bits of the floats
+
+    double value(std::size_t i) const {
+        if (!floats) return channels[i];
+        float number;
+        std::memcpy(&number, &channels[i], sizeof number);
+        return static_cast<double>(number);
+    }
+};
+
+// The sign of a PFM's scale says which byte comes first, whatever the order of this machine.
+std::uint32_t word_at(const std::string& bytes, std::size_t at, bool little_endian) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        word = word << 8 | static_cast<unsigned char>(bytes[little_endian ? at + 3 - k : at + k]);
+    return word;
+}
+
+std::optional<Picture> parse_picture(const std::string& bytes) {
+    std::istringstream in(bytes);
+    std::string magic, last;
+    std::size_t width = 0, height = 0;
+    constexpr std::size_t limit = 1u << 16;
+    if (!(in >> magic >> width >> height >> last) || width > limit || height > limit || in.get() == EOF)
+        return std::nullopt;
+    const bool floats = magic == "PF";
+    const double scale = number(last).value_or(0);  // PPM: the largest value of a channel
+    if ((!floats && magic != "P6") || !(floats ? scale != 0 : scale == 255)) return std::nullopt;
+    const std::size_t begin = static_cast<std::size_t>(in.tellg()), size = floats ? 4 : 1, count = 3 * width * height;
+    if (bytes.size() != begin + size * count) return std::nullopt;
+    Picture picture{floats, width, height, bytes.substr(0, begin - 1), std::vector<std::uint32_t>(count)};
+    std::replace(picture.header.begin(), picture.header.end(), '\n', ' ');
+    for (std::size_t i = 0; i < count; ++i)
+        picture.channels[i] =
+            floats ? word_at(bytes, begin + 4 * i, scale < 0) : static_cast<unsigned char>(bytes[begin + i]);
+    return picture;
+}
+
+std::string describe_channel(const Picture& reference, const Picture& actual, std::size_t i) {
+    const std::size_t x = i / 3 % reference.width, row = i / 3 / reference.width;
+    const std::size_t y =
+        reference.floats ? reference.height - 1 - row : row;  // from the top; a PFM begins at the bottom
+    const char* const colours[] = {"red", "green", "blue"};
+    return "pixel (x " + std::to_string(x) + ", y " + std::to_string(y) + "), " + colours[i % 3] + ": reference " +
+           in_words(reference.value(i), 9) + ", here " + in_words(actual.value(i), 9);
+}
+
+std::string picture_difference(const Picture& reference, const std::string& actual_bytes) {
+    const std::optional<Picture> actual = parse_picture(actual_bytes);
+    if (!actual)
+        return "reference: a picture (" + reference.header + "), here: " + std::to_string(actual_bytes.size()) +
+               " bytes that are not a complete one";
+    if (reference.header != actual->header) return "header: reference " + reference.header + ", here " + actual->header;
+    const std::size_t channels = reference.channels.size();
+    std::size_t first = channels, differing = 0, last_pixel = channels;
+    double largest = 0;
+    for (std::size_t i = 0; i < channels; ++i) {
+        if (reference.channels[i] == actual->channels[i]) continue;
+        first = std::min(first, i);
+        if (i / 3 != std::exchange(last_pixel, i / 3)) ++differing;
+        largest = std::fmax(largest, std::fabs(reference.value(i) - actual->value(i)));  // passes over a nan
+    }
+    if (differing == 0) return "only the white space in the header differs";
+    return describe_channel(reference, *actual, first) + "; " +
+           count_of(differing, reference.width * reference.height, "pixels") + ", at most by " + in_words(largest, 3);
+}
+
+int compare(const char* reference_name, const char* actual_name) {
+    const std::string reference = read_file(reference_name), actual = read_file(actual_name);
+    if (reference == actual) return 0;
+    const std::optional<Picture> picture = parse_picture(reference);
+    if (!picture && (reference.compare(0, 2, "P6") == 0 || reference.compare(0, 2, "PF") == 0))
+        throw std::runtime_error(std::string(reference_name) + " is a damaged picture (were its line ends converted?)");
+    const std::string difference = picture ? picture_difference(*picture, actual) : text_difference(reference, actual);
+    if (!difference.empty()) std::printf("%s\n", difference.c_str());
+    return difference.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        if (argc != 3) throw std::runtime_error("usage: compare REFERENCE ACTUAL");
+        return compare(argv[1], argv[2]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "compare: %s\n", error.what());
+        return 2;
+    }
+}
