@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include <fstream>
 #include <thread>
 
 namespace {
@@ -61,17 +60,6 @@ std::vector<Option> options_of(Request& request) {
     return options;
 }
 
-EnvironmentMap read_environment(const std::string& file) {
-    if (file.empty()) return built_in_environment();
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw std::runtime_error(file + ": cannot open this environment");
-    try {
-        return read_radiance_hdr(in);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(file + ": " + error.what());
-    }
-}
-
 std::string run(int argc, char** argv) {
     Request request;
     RenderSettings& settings = request.settings;
@@ -89,7 +77,7 @@ std::string run(int argc, char** argv) {
     settings.placement = request.model.placement;
     settings.noise = request.model.noise;
     settings.seed = request.model.seed;
-    const Image image = render(sphere_scene(), read_environment(request.environment), *request.model.make_covariance(),
+    const Image image = render(sphere_scene(), load_environment(request.environment), *request.model.make_covariance(),
                                settings, terminal_progress("renderer"));
     return request.linear ? to_pfm(image) : to_ppm(image);
 }

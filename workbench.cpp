@@ -1,8 +1,8 @@
-// Prints the error tables of Monte Carlo against Bayesian Monte Carlo.
+// Prints the error tables of Monte Carlo against Bayesian Monte Carlo, and the reports on cost, models and stability.
 #include "common/portable_math.h"
 
 #include "common/command_line.h"
-#include "common/experiments.h"
+#include "common/reports.h"
 
 #include <cstdio>
 
@@ -11,7 +11,9 @@ namespace {
 struct Request {
     ErrorSettings settings;
     ModelOptions model;
-    std::string integrand;  // empty: all
+    std::string integrand;    // empty: all
+    std::string environment;  // empty: the built-in one
+    bool timed = true;
     bool help = false;
 };
 
@@ -38,7 +40,7 @@ std::vector<std::size_t> parse_samples(const std::string& text) {
     return samples;
 }
 
-std::vector<Option> options_of(Request& request) {
+std::vector<Option> error_options(Request& request) {
     ErrorSettings& settings = request.settings;
     std::vector<Option> options = {
         {"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
@@ -58,35 +60,31 @@ std::vector<Option> options_of(Request& request) {
          [&](const std::string& text) {
              settings.bmc_estimates = static_cast<std::size_t>(parse_integer(text, 1, max_estimates));
          }},
-        {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
-    for (Option& option : request.model.options()) options.insert(options.end() - 1, std::move(option));
+    };
+    for (Option& option : request.model.options()) options.push_back(std::move(option));
     return options;
 }
 
-template <class... Numbers>
-std::string line(const char* format, Numbers... numbers) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, numbers...);
-    return text;
+std::vector<Option> tradeoff_options(Request& request) {
+    return {{"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
+             [&](const std::string& text) { request.environment = text; }},
+            {"no-times", "", "leave out what is measured and differs from run to run",
+             [&](const std::string&) { request.timed = false; }}};
 }
 
-std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows) {
-    std::string text = "# integral of " + integrand.formula + line(" = %.10f\n", integrand.truth) +
-                       "# samples     mc_error    bmc_error bmc_predicted        mc/bmc   mc_samples     se_error\n";
-    for (const ErrorRow& row : rows)
-        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
-                     row.bmc_predicted, row.gain(), row.equivalent_mc_samples(), row.rival_error);
-    return text;
+std::string help_text(Request& request) {
+    return "usage: ./workbench [options]            error tables of Monte Carlo and Bayesian Monte Carlo\n"
+           "       ./workbench tradeoff [options]   what accuracy costs\n"
+           "       ./workbench models               which covariance and noise an integrand requires\n"
+           "       ./workbench stability            where the arithmetic breaks\n\n"
+           "options of the error tables:\n" +
+           describe(error_options(request)) + "\noptions of tradeoff:\n" + describe(tradeoff_options(request)) +
+           "\n  --help                        this text\n\n"
+           "examples: ./workbench --integrand cosine --samples 10:100:5 --bmc-estimates 100\n"
+           "          ./workbench tradeoff --no-times\n";
 }
 
-std::string run(int argc, char** argv) {
-    Request request;
-    const std::vector<Option> options = options_of(request);
-    const std::vector<std::string> rest = parse_options(argc, argv, options);
-    if (request.help)
-        return "usage: ./workbench [options]\n\nPrints error tables of Monte Carlo against Bayesian Monte Carlo.\n\n" +
-               describe(options);
-    if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
+std::string error_tables(Request& request) {
     request.settings.placement = request.model.placement;
     request.settings.noise = request.model.noise;
     request.settings.seed = request.model.seed;
@@ -98,6 +96,24 @@ std::string run(int argc, char** argv) {
             text += (text.empty() ? "" : "\n\n") +
                     error_report(integrand, error_table(integrand, *covariance, rival, request.settings));
     return text;
+}
+
+std::string run(int argc, char** argv) {
+    Request request;
+    const std::string command = argc > 1 && argv[1][0] != '-' ? argv[1] : "";
+    std::vector<Option> options;
+    if (command.empty()) options = error_options(request);
+    if (command == "tradeoff") options = tradeoff_options(request);
+    options.push_back({"help", "", "", [&](const std::string&) { request.help = true; }});
+    const int skipped = command.empty() ? 0 : 1;
+    const std::vector<std::string> rest = parse_options(argc - skipped, argv + skipped, options);
+    if (request.help) return help_text(request);
+    if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
+    if (command.empty()) return error_tables(request);
+    if (command == "tradeoff") return tradeoff_report(load_environment(request.environment), request.timed);
+    if (command == "models") return models_report();
+    if (command == "stability") return stability_report();
+    throw UsageError("there is no command '" + command + "'; the commands are tradeoff, models and stability");
 }
 
 }  // namespace

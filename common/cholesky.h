@@ -39,7 +39,8 @@ public:
     // x with A x = b. b has n elements.
     std::vector<double> solve(std::vector<double> b) const;
 
-    // A^-1, all n x n elements, symmetric to the bit.
+    // A^-1, n x n: column j solves A x = e_j, so that its residual is as small as that of a solution; symmetric but for
+    // rounding.
     Matrix inverse() const;
 
     // ln det A.
@@ -47,5 +48,4 @@ public:
 
 private:
     Matrix upper_;
-    std::vector<double> reciprocal_;  // 1 / u_kk
 };

@@ -91,6 +91,7 @@ double Sobolev::rim_integral(double cos_theta) const {
     double sum = 0;
     for (double y : nodes_) {
         const double yy = y * y, t = q * y;
+        if (t > 0x1p55) break;  // what follows is less than rounding
         sum += portable::pow((1 + sigma) * (q * q + yy) / (1 + yy), exponent_) * 2 * t / (1 + t * t);
     }
     return rim_step * sum;

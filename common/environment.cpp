@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <fstream>
 #include <istream>
 #include <sstream>
 #include <stdexcept>
@@ -282,3 +283,14 @@ private:
 }  // namespace
 
 EnvironmentMap read_radiance_hdr(std::istream& in) { return RadianceReader(*in.rdbuf()).read(); }
+
+EnvironmentMap load_environment(const std::string& file) {
+    if (file.empty()) return built_in_environment();
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw std::runtime_error(file + ": cannot open this environment");
+    try {
+        return read_radiance_hdr(in);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(file + ": " + error.what());
+    }
+}

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 class EnvironmentMap {
@@ -109,3 +110,7 @@ EnvironmentMap built_in_environment();
 // the last scanline is not read.
 // Throws std::runtime_error whose text is one line: what is wrong and, within the picture, in which row (0 at the top).
 EnvironmentMap read_radiance_hdr(std::istream& in);
+
+// The environment of a .hdr file, or the built-in one if the name is empty. Throws std::runtime_error, one line that
+// names the file.
+EnvironmentMap load_environment(const std::string& file);

@@ -13,6 +13,8 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
     return sum;
 }
 
+}  // namespace
+
 std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions) {
     std::vector<double> z;
     z.reserve(directions.size());
@@ -23,8 +25,6 @@ std::vector<double> hemisphere_integrals(const Covariance& covariance, const std
     }
     return z;
 }
-
-}  // namespace
 
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
     if (directions.empty()) throw std::invalid_argument("a Gaussian process needs at least one direction");
@@ -64,6 +64,19 @@ double GaussianProcess::amplitude(const std::vector<double>& values) const {
 
 double GaussianProcess::standard_error(const std::vector<double>& values) const {
     return amplitude(values) * std::sqrt(variance());
+}
+
+double GaussianProcess::log_evidence(const std::vector<double>& values) const {
+    const double n = static_cast<double>(values.size());
+    return -n * portable::log(amplitude(values)) - 0.5 * cholesky_.log_determinant();
+}
+
+std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values) const {
+    require_one_value_per_direction(values);
+    const Matrix inverse = inverse_covariance();
+    std::vector<double> residuals = cholesky_.solve(values);
+    for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i] /= inverse(i, i);
+    return residuals;
 }
 
 void GaussianProcess::require_one_value_per_direction(const std::vector<double>& values) const {

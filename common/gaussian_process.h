@@ -44,6 +44,13 @@ public:
     // Standard error that the process predicts for integral(values): amplitude * sqrt(variance).
     double standard_error(const std::vector<double>& values) const;
 
+    // Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
+    // (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8).
+    double log_evidence(const std::vector<double>& values) const;
+
+    // What each value differs by from its prediction by all the others: (Q^-1 Y)_i / (Q^-1)_ii (ibid., eq. 5.12).
+    std::vector<double> leave_one_out(const std::vector<double>& values) const;
+
 private:
     void require_one_value_per_direction(const std::vector<double>& values) const;
 
@@ -53,6 +60,9 @@ private:
     Cholesky cholesky_;
     std::vector<double> weights_;
 };
+
+// z of each direction. Throws std::invalid_argument for one below the horizon.
+std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions);
 
 // Q, n x n, its upper triangle only: what Cholesky reads.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);

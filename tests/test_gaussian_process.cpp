@@ -121,6 +121,36 @@ TEST_CASE("the variance falls with every added direction and is never negative")
     }
 }
 
+TEST_CASE("the log evidence is the density's logarithm with the best amplitude") {
+    // Two samples: Q = [a b; b a], whose inverse and determinant are elementary.
+    const std::vector<Vec3> directions{{0, 1, 0}, normalize({1, 1, 0})};
+    const GaussianProcess process(Sobolev(), 0.1, directions);
+    const double a = 8.0 / 3 + 0.01, b = 8.0 / 3 - length(directions[0] - directions[1]), det = a * a - b * b;
+    const double form = (a * (1 + 9) - 2 * b * 3) / det;  // Y = (1, 3)
+    CHECK(std::fabs(process.amplitude({1, 3}) - std::sqrt(form / 2)) < 1e-14);
+    CHECK(std::fabs(process.log_evidence({1, 3}) - (-std::log(form / 2) - 0.5 * std::log(det))) < 1e-14);
+}
+
+TEST_CASE("a leave-one-out residual is what the prediction from all other samples misses") {
+    const std::vector<Vec3> directions = random_directions(12, 5);
+    const std::vector<double> values = values_of(directions, kinked);
+    const GaussianProcess process(Sobolev(), 0.1, directions);
+    const std::vector<double> residuals = process.leave_one_out(values);
+    for (std::size_t left = 0; left < 12; ++left) {
+        std::vector<Vec3> others = directions;
+        std::vector<double> other_values = values;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
+        other_values.erase(other_values.begin() + static_cast<std::ptrdiff_t>(left));
+        const std::vector<double> solution = Cholesky(covariance_matrix(Sobolev(), 0.1, others)).solve(other_values);
+        double prediction = 0;
+        for (std::size_t i = 0; i < 11; ++i) {
+            const Vec3 chord = others[i] - directions[left];
+            prediction += solution[i] * Sobolev()(dot(chord, chord));
+        }
+        CHECK(std::fabs(values[left] - prediction - residuals[left]) < 1e-13);
+    }
+}
+
 TEST_CASE("a process refuses what is no sample set, and values that do not belong to it") {
     CHECK_THROWS_AS(GaussianProcess(Sobolev(), 0.01, {}), std::invalid_argument);
     CHECK_THROWS_AS(GaussianProcess(Sobolev(), 0.01, {{0, -1, 0}}), std::invalid_argument);

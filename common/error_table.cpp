@@ -1,51 +1,10 @@
-#include "experiments.h"
-
-#include "environment.h"
-#include "gaussian_process.h"
+#include "error_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
-using portable::pi;
-
-namespace {
-
-std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions) {
-    std::vector<double> values;
-    values.reserve(directions.size());
-    for (const Vec3& direction : directions) values.push_back(integrand.value(direction));
-    return values;
-}
-
-double apply(const QuadratureRule& rule, const Integrand& integrand) {
-    double sum = 0;
-    for (std::size_t i = 0; i < rule.weights.size(); ++i) sum += rule.weights[i] * integrand.value(rule.directions[i]);
-    return sum;
-}
-
-// Luminance (Rec. 709) of the light that a surface facing the arch and the sky reflects, times cos(theta).
-Integrand environment_integrand() {
-    const auto environment = std::make_shared<const EnvironmentMap>(built_in_environment());
-    const Frame frame(normalize({0.3, 0.6, -0.7}));
-    Integrand integrand{"environment", "L(w) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
-    integrand.value = [=](Vec3 direction) {
-        const Color radiance = environment->radiance(frame.to_world(direction));
-        return dot({0.2126, 0.7152, 0.0722}, radiance) * direction.y;
-    };
-    integrand.truth = apply(monte_carlo_rule(fibonacci_directions(1 << 18)), integrand);
-    return integrand;
-}
-
-}  // namespace
-
-std::vector<Integrand> practice_integrands() {
-    return {{"constant", "1", [](Vec3) { return 1.0; }, 2 * pi},
-            {"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi},
-            {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, pi / 2},
-            environment_integrand()};
-}
+#include "gaussian_process.h"
 
 double ErrorRow::gain() const {
     if (bmc_error > 0) return mc_error / bmc_error;

@@ -1,25 +1,12 @@
-// The workbench's experiments, as functions that return rows of numbers: what is printed is measured here.
+// The practice's experiment: the mean absolute error of Monte Carlo and of Bayesian Monte Carlo against the number of
+// samples.
 #pragma once
 
-#include "covariance.h"
-#include "quadrature.h"
-
 #include <cstdint>
-#include <functional>
-#include <string>
 #include <vector>
 
-// A function over the hemisphere and its integral w.r.t. solid angle.
-struct Integrand {
-    std::string name;
-    std::string formula;
-    std::function<double(Vec3)> value;
-    double truth;
-};
-
-// The practice's integrands: 1, cos(theta), cos(theta)^3, and the built-in environment's luminance times cos(theta)
-// above a tilted surface, whose truth is a dense quadrature.
-std::vector<Integrand> practice_integrands();
+#include "covariance.h"
+#include "integrands.h"
 
 struct ErrorSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};

@@ -1,18 +1,8 @@
-#include "../common/experiments.h"
+#include "../common/error_table.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-
-TEST_CASE("the integrands' truths agree with a dense quadrature") {
-    // 5e4 Fibonacci points; the environment's edges leave the largest error, about n^(-3/4).
-    const std::vector<Vec3> directions = fibonacci_directions(50000);
-    for (const Integrand& integrand : practice_integrands()) {
-        double sum = 0;
-        for (const Vec3& direction : directions) sum += integrand.value(direction);
-        CHECK(std::fabs(2 * portable::pi / 5e4 * sum / integrand.truth - 1) < 3e-4);
-    }
-}
 
 TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
     // Normal errors: E |error| = sqrt(2 / pi) * 2 pi sqrt(1/12 / n) for cos(theta); the mean of 4000 has a relative

@@ -1,0 +1,26 @@
+// The workbench's reports as text: whitespace-separated columns under lines that begin with '#', so that gnuplot, awk
+// and numpy.loadtxt read them as they are. Each ends in the sentences that it was made for.
+#pragma once
+
+#include "portable_math.h"
+
+#include <string>
+#include <vector>
+
+#include "error_table.h"
+#include "models.h"
+#include "stability.h"
+#include "tradeoff.h"
+
+// The error table of one integrand.
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
+
+// What accuracy costs, for the environment integrand and for the sphere scene. Seconds, and what follows from them,
+// only if timed; they are measured and differ from run to run, everything else does not.
+std::string tradeoff_report(const EnvironmentMap& environment, bool timed);
+
+// Which model an integrand requires.
+std::string models_report();
+
+// Where the arithmetic breaks.
+std::string stability_report();

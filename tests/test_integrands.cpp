@@ -1,0 +1,25 @@
+#include "../common/integrands.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+TEST_CASE("the integrands' truths agree with a dense quadrature") {
+    // 2e5 Fibonacci points; the edges of the environment and of shadows leave an error of about n^(-3/4), 1e-4.
+    const std::vector<Vec3> directions = fibonacci_directions(200000);
+    std::vector<Integrand> integrands = practice_integrands();
+    for (Integrand& integrand : scene_integrands()) integrands.push_back(std::move(integrand));
+    CHECK(integrands.size() == 9);
+    for (const Integrand& integrand : integrands) {
+        double sum = 0;
+        for (const Vec3& direction : directions) sum += integrand.value(direction);
+        CHECK(std::fabs(2 * portable::pi / 2e5 * sum / integrand.truth - 1) < 3e-4);
+    }
+}
+
+TEST_CASE("a rule is applied to the samples of an integrand") {
+    const Integrand cosine = practice_integrands()[1];
+    const QuadratureRule rule{{{0, 1, 0}, {0.6, 0.8, 0}}, {2, 0.5}};
+    CHECK(sample(cosine, rule.directions) == std::vector<double>{1, 0.8});
+    CHECK(apply(rule, cosine) == 2.4);
+}

@@ -1,0 +1,166 @@
+#include "../common/stability.h"
+
+#include "../common/gaussian_process.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+// A number as the unevaluated sum of two doubles, about 32 digits (Dekker 1971): the tests' higher precision.
+struct Wide {
+    double high = 0, low = 0;
+};
+
+Wide sum(double a, double b) {
+    const double s = a + b, bb = s - a;
+    return {s, (a - (s - bb)) + (b - bb)};
+}
+
+Wide product(double a, double b) {
+    const double split = 134217729;  // 2^27 + 1
+    const double a_high = split * a - (split * a - a), b_high = split * b - (split * b - b);
+    const double a_low = a - a_high, b_low = b - b_high, p = a * b;
+    return {p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low};
+}
+
+Wide minus_product(Wide x, Wide a, Wide b) {
+    const Wide p = product(a.high, b.high), s = sum(x.high, -p.high);
+    return sum(s.high, s.low + (x.low - (p.low + a.high * b.low + a.low * b.high)));
+}
+
+Wide quotient(Wide a, Wide b) {
+    const double q = a.high / b.high;
+    return sum(q, minus_product(a, b, {q, 0}).high / b.high);
+}
+
+// Weights Q^-1 z by Gaussian elimination in double-double arithmetic.
+std::vector<double> wide_weights(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
+    const std::size_t n = directions.size();
+    const Matrix q = covariance_matrix(covariance, noise, directions);
+    const std::vector<double> z = hemisphere_integrals(covariance, directions);
+    std::vector<std::vector<Wide>> a(n, std::vector<Wide>(n + 1));
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) a[i][j] = {j < i ? q(j, i) : q(i, j), 0};
+        a[i][n] = {z[i], 0};
+    }
+    for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const Wide factor = quotient(a[i][k], a[k][k]);
+            for (std::size_t j = k; j <= n; ++j) a[i][j] = minus_product(a[i][j], factor, a[k][j]);
+        }
+    std::vector<double> weights(n);
+    for (std::size_t i = n; i-- > 0;) {
+        for (std::size_t j = i + 1; j < n; ++j) a[i][n] = minus_product(a[i][n], a[i][j], a[j][n]);
+        a[i][n] = quotient(a[i][n], a[i][i]);
+        weights[i] = a[i][n].high;
+    }
+    return weights;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "weights agree with double-double arithmetic as far as the condition number allows, by solve and by inverse") {
+    const Sobolev rough;
+    const SquaredExponential smooth(1);
+    for (const SampleSet set : {SampleSet::random, SampleSet::duplicates, SampleSet::equator, SampleSet::cluster})
+        for (const Covariance* covariance :
+             {static_cast<const Covariance*>(&rough), static_cast<const Covariance*>(&smooth)})
+            for (const double noise : {1.0, 1e-2, 1e-4}) {
+                const std::vector<Vec3> directions = sample_set(set, 40);
+                const std::vector<double> exact = wide_weights(*covariance, noise, directions);
+                const GaussianProcess process(*covariance, noise, directions);
+                const Matrix inverse = process.inverse_covariance();
+                const Matrix q = covariance_matrix(*covariance, noise, directions);
+                const double condition = residuals_of(q, process.cholesky(), inverse).condition;
+                double largest = 0, by_solve = 0, by_inverse = 0, inverse_norm = 0, z_norm = 0;
+                for (std::size_t i = 0; i < 40; ++i) {
+                    double weight = 0, row_sum = 0;
+                    for (std::size_t j = 0; j < 40; ++j) {
+                        weight += inverse(i, j) * process.z()[j];
+                        row_sum += std::fabs(inverse(i, j));
+                    }
+                    inverse_norm = std::max(inverse_norm, row_sum);
+                    z_norm = std::max(z_norm, process.z()[i]);
+                    largest = std::max(largest, std::fabs(exact[i]));
+                    by_solve = std::max(by_solve, std::fabs(process.weights()[i] - exact[i]));
+                    by_inverse = std::max(by_inverse, std::fabs(weight - exact[i]));
+                }
+                CAPTURE(name_of(set));
+                CAPTURE(noise);
+                // A backward stable solution is wrong by about eps times the condition number. So is each column of the
+                // inverse, relative to itself; where A is nearly singular, the columns are far larger than the weights.
+                CHECK(by_solve < 4 * DBL_EPSILON * condition * largest);
+                CHECK(by_inverse < 4 * DBL_EPSILON * condition * inverse_norm * z_norm);
+            }
+}
+
+TEST_CASE("residual ratios stay below 5 at every extreme, LAPACK's limit being 30") {
+    for (const StabilityRow& row : stability_rows()) {
+        if (!row.refusal.empty()) continue;
+        CHECK(row.residuals.factor < 5);
+        CHECK(row.residuals.inverse < 5);
+        CHECK(std::isfinite(row.residuals.condition));
+        CHECK(std::isfinite(row.absolute_weights));
+        CHECK(std::isfinite(row.cosine_error));
+    }
+}
+
+TEST_CASE("what is singular in double precision is refused, naming pivot and value, and works with noise") {
+    for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
+        const StabilityRow refused = examine(set, 100, {"sobolev", 1.5, std::make_shared<Sobolev>()}, 0);
+        CHECK(refused.refusal.find("not positive definite: pivot 1 is ") != std::string::npos);
+        CHECK(examine(set, 100, {"sobolev", 1.5, std::make_shared<Sobolev>()}, 1e-2).refusal.empty());
+    }
+    // As s tends to 2, k tends to C - r^2, of rank 4: constants and the three coordinates.
+    const Model nearly_flat{"sobolev", std::nextafter(2, 1), std::make_shared<Sobolev>(std::nextafter(2, 1))};
+    CHECK(examine(SampleSet::random, 40, nearly_flat, 0).refusal.find("pivot 4 ") != std::string::npos);
+    CHECK(examine(SampleSet::random, 40, nearly_flat, 1e-2).refusal.empty());
+}
+
+TEST_CASE("a long length-scale makes Bayesian Monte Carlo classic: w = 2 pi / (N + noise^2)") {
+    for (const double noise : {0.1, 1.0, 10.0}) {
+        const GaussianProcess process(SquaredExponential(1e6), noise, sample_set(SampleSet::random, 40));
+        // k differs from 1 by r^2 / 2 l^2 < 2e-12, which the condition number N / noise^2 < 4001 amplifies.
+        for (const double weight : process.weights())
+            CHECK(std::fabs(weight / (2 * portable::pi / (40 + noise * noise)) - 1) < 1e-8);
+    }
+}
+
+TEST_CASE("much noise makes the weights vanish, as z / noise^2") {
+    const GaussianProcess process(Sobolev(), 1e3, sample_set(SampleSet::random, 40));
+    // The next term of the series in 1 / noise^2 is smaller by |Q| / noise^2 < 110e-6.
+    for (std::size_t i = 0; i < 40; ++i) CHECK(std::fabs(process.weights()[i] / (process.z()[i] * 1e-6) - 1) < 1.1e-4);
+}
+
+TEST_CASE("samples that do not see one another have the weight z / (1 + noise^2)") {
+    // Four directions 1 apart at l = 0.05: k = e^-200.
+    const std::vector<Vec3> directions{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
+    const GaussianProcess process(SquaredExponential(0.05), 0.1, directions);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(std::fabs(process.weights()[i] / (process.z()[i] / 1.01) - 1) < 1e-15);
+}
+
+TEST_CASE("duplicates share one weight") {
+    std::vector<Vec3> directions = sample_set(SampleSet::random, 20);
+    const double noise = 0.1;
+    const std::vector<double> alone = GaussianProcess(Sobolev(), noise / std::sqrt(2), directions).weights();
+    directions.insert(directions.end(), directions.begin(), directions.end());
+    const std::vector<double> twice = GaussianProcess(Sobolev(), noise, directions).weights();
+    // Two samples with noise variance v are one with v / 2. The condition number is about 1e4.
+    for (std::size_t i = 0; i < 20; ++i) {
+        CHECK(std::fabs(twice[i] - twice[i + 20]) < 1e-11);
+        CHECK(std::fabs(twice[i] + twice[i + 20] - alone[i]) < 1e-11);
+    }
+}
+
+TEST_CASE("sample sets are what their names say") {
+    for (const Vec3& d : sample_set(SampleSet::equator, 10)) CHECK(d.y == 0);
+    for (const Vec3& d : sample_set(SampleSet::pole, 10)) CHECK(d.y == 1);
+    const std::vector<Vec3> cluster = sample_set(SampleSet::cluster, 10), twice = sample_set(SampleSet::duplicates, 10);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(length(cluster[i] - Vec3{0.48, 0.6, 0.64}) < 1.1e-8);
+        CHECK(twice[i].x == twice[i / 2 * 2].x);
+    }
+}

@@ -1,0 +1,70 @@
+#include "../common/tradeoff.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+TEST_CASE("the error of an image: root mean square, neighbours' correlation and brightness") {
+    const Scene scene = sphere_scene();
+    Image truth(40, 40), brighter(40, 40), striped(40, 40);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            truth.set(x, y, {0.5, 0.5, 0.5});
+            brighter.set(x, y, {0.625, 0.625, 0.625});
+            striped.set(x, y, x % 2 ? Color{0.75, 0.75, 0.75} : Color{0.25, 0.25, 0.25});
+        }
+    const ImageError same = image_error(scene, {truth}, truth);
+    CHECK(same.rmse == 0);
+    CHECK(same.brightness == 0);
+    // These differences are exact in binary.
+    const ImageError constant = image_error(scene, {brighter}, truth);
+    CHECK(constant.rmse == 0.125);
+    CHECK(constant.correlation == 1);
+    CHECK(constant.brightness == 0.25);
+    const ImageError alternating = image_error(scene, {striped}, truth);
+    CHECK(alternating.rmse == 0.25);
+    CHECK(alternating.correlation == -1);
+}
+
+TEST_CASE("a million object pixels of the 500 x 500 picture are 166094 of 250000") {
+    CHECK(object_pixels(sphere_scene(), 500, 500) == 166094);
+}
+
+TEST_CASE("what a picture costs: the practice's three steps against error correlated between pixels") {
+    const std::vector<PictureCost> rows = picture_costs(built_in_environment(), false);
+    CHECK(rows.size() == 8 * 2 * 5);
+    const auto find = [&](Method method, std::size_t pool, std::size_t samples) {
+        for (const PictureCost& row : rows)
+            if (row.method == method && row.pool == pool && row.samples == samples &&
+                row.placement == Placement::uniform)
+                return row;
+        throw std::runtime_error("no such row");
+    };
+    CHECK(find(Method::single, 1, 10).correlation > 0.9);
+    CHECK(std::fabs(find(Method::pool, 20, 40).correlation) < 0.05);
+    for (const std::size_t samples : {std::size_t{20}, std::size_t{40}, std::size_t{160}}) {
+        const PictureCost mc = find(Method::mc, 0, samples);
+        CHECK(find(Method::pool, 5, samples).rmse < 0.75 * mc.rmse);
+        CHECK(find(Method::direct, 0, samples).rmse < 0.75 * mc.rmse);
+        CHECK(mc.seconds_per_megapixel == 0);
+    }
+    // Monte Carlo's error falls as 1 / sqrt(n); 2720 pixels times 4 seeds leave 1 %.
+    CHECK(std::fabs(find(Method::mc, 0, 10).rmse / find(Method::mc, 0, 160).rmse / 4 - 1) < 0.05);
+}
+
+TEST_CASE("what an integral costs: a rule pays off when Monte Carlo at equal error is slower") {
+    IntegralCost row{100, 0.4, 0.1, {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 1e-6}};
+    CHECK(std::fabs(row.equivalent_mc_samples() - 1600) < 1e-9);
+    // Monte Carlo: 1600 samples of (1 + 1) us / 100 = 32 us an integral; the rule: 15 us once and 1 us an integral.
+    CHECK(std::fabs(row.integrals_to_pay_off() - 15.0 / 31) < 1e-12);
+}
+
+TEST_CASE("measured times are positive where they are asked for") {
+    const std::vector<IntegralCost> rows = integral_costs(practice_integrands()[1], true);
+    for (const IntegralCost& row : rows) {
+        CHECK(row.seconds.factor > 0);
+        CHECK(row.seconds.rule() > row.seconds.factor);
+        CHECK(row.bmc_error < row.mc_error);
+    }
+}
