@@ -43,7 +43,7 @@ std::vector<Option> options_of(Request& request) {
          [&](const std::string& text) {
              settings.samples = static_cast<std::size_t>(parse_integer(text, 1, max_mc_samples));
          }},
-        {"pool", "K", "Gaussian processes in the pool (default 5)",
+        {"pool", "K", "Gaussian processes in the pool (default 20)",
          [&](const std::string& text) { settings.pool = static_cast<std::size_t>(parse_integer(text, 1, 1000)); }},
         {"size", "WxH", "of the picture in pixels, or W for a square (default 500x500)",
          [&](const std::string& text) { set_size(settings, text); }},

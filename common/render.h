@@ -29,7 +29,7 @@ struct RenderSettings {
     Method method = Method::pool;
     Placement placement = Placement::uniform;
     std::size_t samples = 40;  // directions per pixel
-    std::size_t pool = 5;      // Gaussian processes in the pool
+    std::size_t pool = 20;     // Gaussian processes in the pool
     double noise = 0.01;
     std::uint64_t seed = 1;
     int width = 500, height = 500;
