@@ -74,11 +74,13 @@ std::string run(int argc, char** argv) {
     if (settings.method != Method::mc && settings.samples > max_process_samples)
         throw UsageError("--samples: at most " + std::to_string(max_process_samples) + " for every method but mc");
     if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to the terminal; write ./renderer > out.ppm");
+    const auto covariance = request.model.make_covariance();
     settings.placement = request.model.placement;
     settings.noise = request.model.noise;
+    settings.prior = request.model.prior;
     settings.seed = request.model.seed;
-    const Image image = render(sphere_scene(), load_environment(request.environment), *request.model.make_covariance(),
-                               settings, terminal_progress("renderer"));
+    const Image image = render(sphere_scene(), load_environment(request.environment), *covariance, settings,
+                               terminal_progress("renderer"));
     return request.linear ? to_pfm(image) : to_ppm(image);
 }
 

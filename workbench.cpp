@@ -74,6 +74,7 @@ std::vector<Option> tradeoff_options(Request& request) {
 
 std::string help_text(Request& request) {
     return "usage: ./workbench [options]            error tables of Monte Carlo and Bayesian Monte Carlo\n"
+           "       ./workbench known                what it is worth to know the cosine\n"
            "       ./workbench tradeoff [options]   what accuracy costs\n"
            "       ./workbench models               which covariance and noise an integrand requires\n"
            "       ./workbench stability            where the arithmetic breaks\n\n"
@@ -87,6 +88,7 @@ std::string help_text(Request& request) {
 std::string error_tables(Request& request) {
     request.settings.placement = request.model.placement;
     request.settings.noise = request.model.noise;
+    request.settings.prior = request.model.prior;
     request.settings.seed = request.model.seed;
     const auto covariance = request.model.make_covariance();
     const SquaredExponential rival(request.model.length_scale);
@@ -111,9 +113,10 @@ std::string run(int argc, char** argv) {
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     if (command.empty()) return error_tables(request);
     if (command == "tradeoff") return tradeoff_report(load_environment(request.environment), request.timed);
+    if (command == "known") return known_report();
     if (command == "models") return models_report();
     if (command == "stability") return stability_report();
-    throw UsageError("there is no command '" + command + "'; the commands are tradeoff, models and stability");
+    throw UsageError("there is no command '" + command + "'; the commands are known, tradeoff, models and stability");
 }
 
 }  // namespace

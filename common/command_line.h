@@ -54,6 +54,7 @@ struct ModelOptions {
     double smoothness = 1.5;
     double length_scale = 1;
     double noise = 0.01;
+    Prior prior;
     Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 

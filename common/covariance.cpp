@@ -79,7 +79,8 @@ double Sobolev::operator()(double squared_chord) const {
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
-double Sobolev::hemisphere_integral(double cos_theta) const {
+double Sobolev::hemisphere_integral(double cos_theta, KnownPart known) const {
+    if (known == KnownPart::cosine) return cosine_integral(cos_theta);
     const double s = exponent_ + 1;
     return 2 * pi * constant_ - portable::pow(2, s) / s * rim_integral(cos_theta);
 }
@@ -96,6 +97,35 @@ double Sobolev::rim_integral(double cos_theta) const {
     }
     return rim_step * sum;
 }
+
+// With A the solution of Legendre's equation of degree 1 that the kernel drives,
+//     A(t) = (4/15) [sqrt(2) t artanh(sqrt((1 - t) / 2)) - sqrt(1 - t)],
+// the divergence theorem and one integration by parts leave a complete elliptic integral over the rim.
+double Sobolev::cosine_integral(double cos_theta) const {
+    if (!nodes_.empty())
+        throw std::invalid_argument("the known part cosine has a closed form for the smoothness 1.5 only; it is " +
+                                    std::to_string(exponent_ + 1));
+    const auto [sigma, q] = Elevation(cos_theta);
+    return 8 * pi / 3 -
+           16 * std::sqrt(2.0) / 15 * std::sqrt(1 + sigma) * (2 * cel(q, 1, 1, q * q) - cel(q, 1 / q, 1, 1));
+}
+
+double Sobolev::double_integral(KnownPart known) const {
+    if (known == KnownPart::nothing) return double_integral_;
+    cosine_integral(1);            // throws where there is no closed form
+    return 16.787120248013257721;  // of z cos(theta), at s = 3/2: quadrature to 20 digits
+}
+
+namespace {
+
+void require_no_known_part(KnownPart known) {
+    if (known != KnownPart::nothing)
+        throw std::invalid_argument(
+            "the squared-exponential covariance has no closed form with the known part cosine; "
+            "take sobolev with smoothness 1.5");
+}
+
+}  // namespace
 
 SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length_scale * length_scale)) {
     if (!(length_scale >= 0.05) || !std::isfinite(length_scale))
@@ -116,7 +146,8 @@ double SquaredExponential::operator()(double squared_chord) const {
 
 // 2 pi times the sum over m of t_m B_m, with t_m the terms of the modified Bessel function I_1 and B_m the integral
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
-double SquaredExponential::hemisphere_integral(double cos_theta) const {
+double SquaredExponential::hemisphere_integral(double cos_theta, KnownPart known) const {
+    require_no_known_part(known);
     const double squared_sine = (1 - cos_theta) * (1 + cos_theta);
     double t = kappa_ / 2 * portable::exp(-kappa_);
     double b = cos_theta, edge = cos_theta, sum = t * b;
@@ -129,7 +160,8 @@ double SquaredExponential::hemisphere_integral(double cos_theta) const {
     return even_part_ + 2 * pi * sum;
 }
 
-double SquaredExponential::double_integral() const {
+double SquaredExponential::double_integral(KnownPart known) const {
+    require_no_known_part(known);
     double t = kappa_ / 2 * portable::exp(-kappa_);
     double w = 1, sum = t * 0.5;
     for (int m = 1; m < kappa_ / 2 || sum + t != sum; ++m) {

@@ -4,12 +4,16 @@
 // invariant under rotation: rotating a set of directions about the up axis changes neither Q nor z. What Bayesian
 // quadrature needs of it is closed here, with no sampling (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf.
 // 1991):
-//     z(w)  = integral over H of k(w, w') dw',     zz = integral over H of z(w) dw.
+//     z(w)  = integral over H of k(w, w') p(w') dw',     zz = integral over H of z(w) p(w) dw,
+// where p is the known part of the integrand f p, and the Gaussian process models f alone.
 #pragma once
 
 #include "portable_math.h"
 
 #include <vector>
+
+// What is known of the integrand: p = 1, or p = cos(theta), which leaves only the incident radiance to be modelled.
+enum class KnownPart { nothing, cosine };
 
 class Covariance {
 public:
@@ -19,15 +23,17 @@ public:
     virtual double operator()(double squared_chord) const = 0;
 
     // z of a direction with elevation cosine cos_theta in [0, 1].
-    virtual double hemisphere_integral(double cos_theta) const = 0;
+    // Throws std::invalid_argument for a known part with which this covariance has no closed form.
+    virtual double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const = 0;
 
-    // zz.
-    virtual double double_integral() const = 0;
+    // zz. Throws as hemisphere_integral does.
+    virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
 };
 
 // k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s: the reproducing kernel of the Sobolev space of smoothness s on the sphere,
 // up to equivalence of norms (Brauchart, Saff, Sloan & Womersley, "QMC designs", Mathematics of Computation 2014). It
-// models a function that is continuous but need not be smooth, as radiance is.
+// models a function that is continuous but need not be smooth, as radiance is. The known part cos(theta) has a closed
+// form at s = 3/2.
 class Sobolev final : public Covariance {
 public:
     // Smoothness s in (1, 2); at the default 3/2, k(r) = 8/3 - r and z is an elliptic integral.
@@ -35,11 +41,12 @@ public:
     explicit Sobolev(double smoothness = 1.5);
 
     double operator()(double squared_chord) const override;
-    double hemisphere_integral(double cos_theta) const override;
-    double double_integral() const override { return double_integral_; }
+    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
+    double double_integral(KnownPart known = KnownPart::nothing) const override;
 
 private:
     double rim_integral(double cos_theta) const;
+    double cosine_integral(double cos_theta) const;
 
     double exponent_;  // s - 1
     double constant_;  // C
@@ -55,8 +62,8 @@ public:
     explicit SquaredExponential(double length_scale = 1);
 
     double operator()(double squared_chord) const override;
-    double hemisphere_integral(double cos_theta) const override;
-    double double_integral() const override;
+    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
+    double double_integral(KnownPart known = KnownPart::nothing) const override;
 
 private:
     double kappa_;      // 1 / l^2

@@ -14,6 +14,7 @@ struct ErrorSettings {
     std::size_t bmc_estimates = 10;
     Placement placement = Placement::uniform;
     double noise = 0.01;
+    Prior prior;
     std::uint64_t seed = 1;
 };
 

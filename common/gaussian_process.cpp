@@ -15,13 +15,14 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
 
 }  // namespace
 
-std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions) {
+std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
+                                         KnownPart known) {
     std::vector<double> z;
     z.reserve(directions.size());
     for (const Vec3& direction : directions) {
         if (!(direction.y >= 0))
             throw std::invalid_argument("a direction lies below the horizon: its y is " + std::to_string(direction.y));
-        z.push_back(covariance.hemisphere_integral(std::min(direction.y, 1.0)));
+        z.push_back(covariance.hemisphere_integral(std::min(direction.y, 1.0), known));
     }
     return z;
 }
@@ -42,24 +43,44 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
     return q;
 }
 
-GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions)
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior)
     : directions_(std::move(directions)),
-      z_(hemisphere_integrals(covariance, directions_)),
-      double_integral_(covariance.double_integral()),
+      z_(hemisphere_integrals(covariance, directions_, prior.known)),
       cholesky_(covariance_matrix(covariance, noise, directions_)),
-      weights_(cholesky_.solve(z_)) {}
+      weights_(cholesky_.solve(z_)),
+      variance_(std::max(0.0, covariance.double_integral(prior.known) - sum_of_products(z_, weights_))) {
+    if (prior.mean == PriorMean::uniform) add_uniform_light(prior.known);
+}
+
+void GaussianProcess::add_uniform_light(KnownPart known) {
+    std::vector<double> h;
+    for (const Vec3& direction : directions_) h.push_back(known == KnownPart::cosine ? 1 : direction.y);
+    light_ = cholesky_.solve(h);
+    light_information_ = sum_of_products(h, light_);
+    const double missing = portable::pi - sum_of_products(h, weights_);
+    variance_ += missing * missing / light_information_;
+    for (std::size_t i = 0; i < h.size(); ++i) weights_[i] += light_[i] * (missing / light_information_);
+}
 
 double GaussianProcess::integral(const std::vector<double>& values) const {
     require_one_value_per_direction(values);
     return sum_of_products(weights_, values);
 }
 
-double GaussianProcess::variance() const { return std::max(0.0, double_integral_ - sum_of_products(z_, weights_)); }
+double GaussianProcess::freedom() const {
+    const double n = static_cast<double>(directions_.size());
+    return light_.empty() ? n : std::max(1.0, n - 1);
+}
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
     require_one_value_per_direction(values);
     const std::vector<double> whitened = cholesky_.solve_lower(values);
-    return std::sqrt(sum_of_products(whitened, whitened) / static_cast<double>(values.size()));
+    double squares = sum_of_products(whitened, whitened);
+    if (!light_.empty()) {
+        const double explained = sum_of_products(light_, values);
+        squares = std::max(0.0, squares - explained * explained / light_information_);
+    }
+    return std::sqrt(squares / freedom());
 }
 
 double GaussianProcess::standard_error(const std::vector<double>& values) const {
@@ -67,15 +88,19 @@ double GaussianProcess::standard_error(const std::vector<double>& values) const 
 }
 
 double GaussianProcess::log_evidence(const std::vector<double>& values) const {
-    const double n = static_cast<double>(values.size());
-    return -n * portable::log(amplitude(values)) - 0.5 * cholesky_.log_determinant();
+    const double light = light_.empty() ? 0 : portable::log(light_information_);
+    return -freedom() * portable::log(amplitude(values)) - 0.5 * (cholesky_.log_determinant() + light);
 }
 
 std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values) const {
     require_one_value_per_direction(values);
     const Matrix inverse = inverse_covariance();
     std::vector<double> residuals = cholesky_.solve(values);
-    for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i] /= inverse(i, i);
+    const double light = light_.empty() ? 0 : sum_of_products(light_, values) / light_information_;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        const double h = light_.empty() ? 0 : light_[i];
+        residuals[i] = (residuals[i] - h * light) / (inverse(i, i) - h * h / light_information_);
+    }
     return residuals;
 }
 

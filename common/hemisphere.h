@@ -20,6 +20,12 @@ std::vector<Vec3> uniform_directions(std::size_t n, Random& random);
 // Computer Graphics Forum 2013, eq. 2).
 std::vector<Vec3> fibonacci_directions(std::size_t n);
 
+// n independent directions with density cos(theta) / pi w.r.t. solid angle: elevation cosine sqrt(u) (Malley's method).
+std::vector<Vec3> cosine_directions(std::size_t n, Random& random);
+
+// The Fibonacci lattice with the elevation cosines sqrt(1 - (i + 1/2) / n): it follows the density cos(theta) / pi.
+std::vector<Vec3> cosine_fibonacci_directions(std::size_t n);
+
 // The direction turned about the up axis by an angle in turns, from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);
 

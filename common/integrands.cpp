@@ -58,15 +58,19 @@ std::vector<Integrand> scene_integrands() {
     return integrands;
 }
 
-std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions) {
+std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, KnownPart known) {
     std::vector<double> values;
     values.reserve(directions.size());
-    for (const Vec3& direction : directions) values.push_back(integrand.value(direction));
+    for (const Vec3& direction : directions)
+        values.push_back(integrand.value(direction) / known_part(known, direction));
     return values;
 }
 
 double apply(const QuadratureRule& rule, const Integrand& integrand) {
     double sum = 0;
-    for (std::size_t i = 0; i < rule.weights.size(); ++i) sum += rule.weights[i] * integrand.value(rule.directions[i]);
+    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+        const Vec3 direction = rule.directions[i];
+        sum += rule.weights[i] * (integrand.value(direction) / known_part(rule.known, direction));
+    }
     return sum;
 }

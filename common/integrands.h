@@ -24,8 +24,9 @@ std::vector<Integrand> practice_integrands();
 // environment: three on the sphere, two on the rectangle.
 std::vector<Integrand> scene_integrands();
 
-// The integrand's value at each direction.
-std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions);
+// The unknown factor of the integrand at each direction: its value over the known part.
+std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions,
+                           KnownPart known = KnownPart::nothing);
 
 // The rule's estimate of the integral.
 double apply(const QuadratureRule& rule, const Integrand& integrand);

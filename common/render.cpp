@@ -17,7 +17,7 @@ struct CosineRule {
             x.push_back(direction.x);
             y.push_back(direction.y);
             z.push_back(direction.z);
-            weight.push_back(rule.weights[i] * direction.y);
+            weight.push_back(rule.known == KnownPart::cosine ? rule.weights[i] : rule.weights[i] * direction.y);
         }
     }
 };
@@ -79,7 +79,7 @@ public:
           camera_{settings.width, settings.height} {
         const Method method = settings.method;
         const bool shares_one = method == Method::single || method == Method::rotated ||
-                                (method == Method::mc && settings.placement == Placement::fibonacci);
+                                (method == Method::mc && is_lattice(settings.placement));
         const std::size_t shared = method == Method::pool ? settings.pool : shares_one ? 1 : 0;
         for (std::size_t i = 0; i < shared; ++i) {
             Random random(settings.seed, first_rule_stream + i);
@@ -103,8 +103,9 @@ private:
 
     CosineRule fresh_rule(Random& random) const {
         std::vector<Vec3> directions = place_directions(settings_.placement, settings_.samples, random);
-        if (settings_.method == Method::mc) return CosineRule(monte_carlo_rule(std::move(directions)));
-        return CosineRule(bayesian_rule(covariance_, settings_.noise, std::move(directions)));
+        if (settings_.method == Method::mc)
+            return CosineRule(monte_carlo_rule(std::move(directions), settings_.placement));
+        return CosineRule(bayesian_rule(covariance_, settings_.noise, std::move(directions), settings_.prior));
     }
 
     Color shade(const Hit& hit, Random random, Samples& samples) const {

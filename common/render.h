@@ -18,7 +18,7 @@
 #include <functional>
 
 enum class Method {
-    mc,       // classic Monte Carlo: fresh directions for every pixel (the Fibonacci set: turned at random)
+    mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: turned at random)
     direct,   // a fresh Gaussian process on fresh directions for every pixel
     single,   // one Gaussian process for the whole image
     rotated,  // the same, its directions turned at random about the normal in every pixel
@@ -31,6 +31,7 @@ struct RenderSettings {
     std::size_t samples = 40;  // directions per pixel
     std::size_t pool = 20;     // Gaussian processes in the pool
     double noise = 0.01;
+    Prior prior;
     std::uint64_t seed = 1;
     int width = 500, height = 500;
     unsigned threads = 1;  // changes no bit of the image

@@ -23,7 +23,18 @@ const char* name_of(Method method) {
     return "";
 }
 
-const char* name_of(Placement placement) { return placement == Placement::uniform ? "uniform" : "fibonacci"; }
+const char* name_of(Placement placement) {
+    switch (placement) {
+        case Placement::uniform: return "uniform";
+        case Placement::fibonacci: return "fibonacci";
+        case Placement::cosine: return "cosine";
+        case Placement::cosine_fibonacci: return "cosine-fibonacci";
+    }
+    return "";
+}
+
+const char* name_of(KnownPart known) { return known == KnownPart::cosine ? "cosine" : "nothing"; }
+const char* name_of(PriorMean mean) { return mean == PriorMean::uniform ? "uniform" : "zero"; }
 
 std::string integral_table(const std::vector<IntegralCost>& rows, bool timed) {
     std::string text =
@@ -57,30 +68,36 @@ std::string costly_operation(const std::vector<IntegralCost>& rows) {
     return text;
 }
 
+// What to type for the settings of a row.
 std::string settings_of(const PictureCost& row) {
-    const std::string pool = row.method == Method::pool ? line(" --pool %zu", row.pool) : "";
-    return line("--method %s%s --placement %s --samples %zu", name_of(row.method), pool.c_str(), name_of(row.placement),
-                row.samples);
+    const RenderSettings& s = row.settings;
+    return line("--method %s", name_of(s.method)) + (s.method == Method::pool ? line(" --pool %zu", s.pool) : "") +
+           line(" --placement %s", name_of(s.placement)) +
+           (s.prior.known == KnownPart::cosine ? " --known cosine" : "") +
+           (s.prior.mean == PriorMean::uniform ? " --mean uniform" : "") + line(" --samples %zu", s.samples);
 }
 
 // The row of classic Monte Carlo on random directions with as many samples.
 const PictureCost& classic(const std::vector<PictureCost>& rows, const PictureCost& row) {
     return *std::find_if(rows.begin(), rows.end(), [&](const PictureCost& other) {
-        return other.method == Method::mc && other.placement == Placement::uniform && other.samples == row.samples;
+        return other.settings.method == Method::mc && other.settings.placement == Placement::uniform &&
+               other.settings.samples == row.settings.samples;
     });
 }
 
 double squared_ratio(double a, double b) { return a * a / (b * b); }
 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
-    std::string text = line("# method  placement  pool samples       rmse correlation brightness mc_samples%s\n",
-                            timed ? "  s/megapixel efficiency" : "");
+    std::string text =
+        line("# method  pool placement        known   mean    samples       rmse correlation brightness mc_samples%s\n",
+             timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
+        const RenderSettings& s = row.settings;
         const PictureCost& mc = classic(rows, row);
         const double gain = squared_ratio(mc.rmse, row.rmse);
-        text += line("%-8s %-10s %5zu %7zu %10.5f %11.4f %10.5f %10.4g", name_of(row.method), name_of(row.placement),
-                     row.pool, row.samples, row.rmse, row.correlation, row.brightness,
-                     static_cast<double>(row.samples) * gain);
+        text += line("%-8s %5zu %-16s %-7s %-7s %7zu %10.5f %11.4f %10.5f %10.4g", name_of(s.method), s.pool,
+                     name_of(s.placement), name_of(s.prior.known), name_of(s.prior.mean), s.samples, row.rmse,
+                     row.correlation, row.brightness, static_cast<double>(s.samples) * gain);
         if (timed)
             text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
                          gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
@@ -94,7 +111,7 @@ std::string cheapest_settings(const std::vector<PictureCost>& rows, bool timed) 
     for (const double target : {0.04, 0.02, 0.01}) {
         const PictureCost* best = nullptr;
         const auto cost = [&](const PictureCost& row) {
-            return timed ? row.seconds_per_megapixel : static_cast<double>(row.samples);
+            return timed ? row.seconds_per_megapixel : static_cast<double>(row.settings.samples);
         };
         for (const PictureCost& row : rows)
             if (row.rmse <= target && (!best || cost(row) < cost(*best))) best = &row;
@@ -193,6 +210,37 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
     for (const ErrorRow& row : rows)
         text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
                      row.bmc_predicted, row.gain(), row.equivalent_mc_samples(), row.rival_error);
+    return text;
+}
+
+std::string known_report() {
+    ErrorSettings settings;
+    settings.mc_estimates = settings.bmc_estimates = 100;
+    std::string text;
+    const Integrand fourth{"cosine-fourth", "f cos(theta), f = cos(theta)^3,",
+                           [](Vec3 w) { return w.y * w.y * w.y * w.y; }, 2 * portable::pi / 5};
+    for (const Integrand& integrand : {fourth, practice_integrands().back()}) {
+        const auto table = [&](Placement placement, Prior prior) {
+            settings.placement = placement;
+            settings.prior = prior;
+            return error_table(integrand, Sobolev(), SquaredExponential(), settings);
+        };
+        const Prior cosine{KnownPart::cosine, PriorMean::zero};
+        const std::vector<ErrorRow> uniform = table(Placement::uniform, {}),
+                                    weighted = table(Placement::cosine, cosine);
+        const std::vector<ErrorRow> lattice = table(Placement::cosine_fibonacci, cosine);
+        text +=
+            (text.empty() ? "" : "\n\n") + ("# integral of " + integrand.formula) +
+            line(" = %.10f\n", integrand.truth) +
+            "# mean absolute errors over 100 estimates: uniform directions with nothing known, cosine-distributed ones "
+            "with\n"
+            "# cos(theta) known, and the cosine-distributed Fibonacci set\n"
+            "# samples   mc_uniform    mc_cosine   bmc_nothing   bmc_cosine bmc_predicted  qmc_lattice  bmc_lattice\n";
+        for (std::size_t i = 0; i < uniform.size(); ++i)
+            text += line("%9zu %12.5g %12.5g %13.5g %12.5g %13.5g %12.5g %12.5g\n", uniform[i].samples,
+                         uniform[i].mc_error, weighted[i].mc_error, uniform[i].bmc_error, weighted[i].bmc_error,
+                         weighted[i].bmc_predicted, lattice[i].mc_error, lattice[i].bmc_error);
+    }
     return text;
 }
 

@@ -15,6 +15,10 @@
 // The error table of one integrand.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
 
+// What it is worth to know that the integrand has a factor cos(theta): Monte Carlo and Bayesian Monte Carlo, without
+// and with it.
+std::string known_report();
+
 // What accuracy costs, for the environment integrand and for the sphere scene. Seconds, and what follows from them,
 // only if timed; they are measured and differ from run to run, everything else does not.
 std::string tradeoff_report(const EnvironmentMap& environment, bool timed);

@@ -141,36 +141,55 @@ double seconds_per_megapixel(const Scene& scene, const EnvironmentMap& environme
     return rules + 1e6 * (whole - rules) / pixels;
 }
 
+// Every way to render that is compared, but for the number of samples.
+std::vector<RenderSettings> compared_settings() {
+    std::vector<RenderSettings> list;
+    const auto add = [&](Method method, std::size_t pool, Placement placement, Prior prior = {}) {
+        RenderSettings settings;
+        settings.method = method;
+        settings.pool = pool;
+        settings.placement = placement;
+        settings.prior = prior;
+        list.push_back(settings);
+    };
+    const auto both = {Placement::uniform, Placement::fibonacci};
+    for (const Method method : {Method::mc, Method::direct, Method::single, Method::rotated})
+        for (const Placement placement : both) add(method, 1, placement);
+    for (const std::size_t pool : {1u, 2u, 5u, 20u})
+        for (const Placement placement : both) add(Method::pool, pool, placement);
+    for (const Placement placement : {Placement::cosine, Placement::cosine_fibonacci}) add(Method::mc, 1, placement);
+    for (const Placement placement : both) add(Method::pool, 20, placement, {KnownPart::nothing, PriorMean::uniform});
+    for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform})
+        for (const Placement placement : {Placement::uniform, Placement::cosine, Placement::cosine_fibonacci})
+            add(Method::pool, 20, placement, {KnownPart::cosine, mean});
+    return list;
+}
+
 }  // namespace
 
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, bool timed) {
     const Scene scene = sphere_scene();
-    RenderSettings settings;
-    settings.width = settings.height = 64;
-    settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    settings.method = Method::mc;
-    settings.placement = Placement::fibonacci;
-    settings.samples = 20000;
-    const Image truth = render(scene, environment, Sobolev(), settings);
+    const auto small = [](RenderSettings settings, std::size_t samples) {
+        settings.samples = samples;
+        settings.width = settings.height = 64;
+        settings.threads = std::max(1u, std::thread::hardware_concurrency());
+        return settings;
+    };
+    RenderSettings dense;
+    dense.method = Method::mc;
+    dense.placement = Placement::fibonacci;
+    const Image truth = render(scene, environment, Sobolev(), small(dense, 20000));
 
-    constexpr std::pair<Method, std::size_t> methods[] = {
-        {Method::mc, 0},   {Method::direct, 0}, {Method::single, 1}, {Method::rotated, 1},
-        {Method::pool, 1}, {Method::pool, 2},   {Method::pool, 5},   {Method::pool, 20}};
-    constexpr std::size_t counts[] = {10, 20, 40, 80, 160};
     std::vector<PictureCost> rows;
-    for (const auto& [method, pool] : methods)
-        for (const Placement placement : {Placement::uniform, Placement::fibonacci})
-            for (const std::size_t samples : counts) {
-                settings.method = method;
-                settings.placement = placement;
-                settings.samples = samples;
-                settings.pool = pool;
-                std::vector<Image> images;
-                for (settings.seed = 1; settings.seed <= seeds; ++settings.seed)
-                    images.push_back(render(scene, environment, Sobolev(), settings));
-                const ImageError error = image_error(scene, images, truth);
-                rows.push_back({method, placement, samples, pool, error.rmse, error.correlation, error.brightness,
-                                timed ? seconds_per_megapixel(scene, environment, settings) : 0});
-            }
+    for (const RenderSettings& compared : compared_settings())
+        for (const std::size_t samples : {10u, 20u, 40u, 80u, 160u}) {
+            RenderSettings settings = small(compared, samples);
+            std::vector<Image> images;
+            for (settings.seed = 1; settings.seed <= seeds; ++settings.seed)
+                images.push_back(render(scene, environment, Sobolev(), settings));
+            const ImageError error = image_error(scene, images, truth);
+            rows.push_back({settings, error.rmse, error.correlation, error.brightness,
+                            timed ? seconds_per_megapixel(scene, environment, settings) : 0});
+        }
     return rows;
 }

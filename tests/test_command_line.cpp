@@ -65,6 +65,15 @@ TEST_CASE("model options make the covariance that they name") {
         parse({"--covariance", "sobolev", "--smoothness", "1.3", "--placement", "fibonacci"}, model.options()).empty());
     CHECK((*model.make_covariance())(0.75) == Sobolev(1.3)(0.75));
     CHECK(model.placement == Placement::fibonacci);
+    model = {};
+    CHECK(
+        parse({"--known", "cosine", "--mean", "uniform", "--placement", "cosine-fibonacci"}, model.options()).empty());
+    CHECK(model.prior.known == KnownPart::cosine);
+    CHECK(model.prior.mean == PriorMean::uniform);
+    CHECK(model.placement == Placement::cosine_fibonacci);
+    CHECK_NOTHROW(model.make_covariance());
+    model.smoothness = 1.4;
+    CHECK_THROWS_AS(model.make_covariance(), UsageError);
     for (const char* bad : {"1", "2", "0", "nan", "1.5x"})
         CHECK_THROWS_AS(parse({"--smoothness", bad}, model.options()), UsageError);
     CHECK_THROWS_AS(parse({"--noise", "-1"}, model.options()), UsageError);

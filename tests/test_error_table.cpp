@@ -30,6 +30,21 @@ TEST_CASE("Bayesian Monte Carlo beats Monte Carlo on every integrand that varies
     }
 }
 
+TEST_CASE("where the cosine is known, knowing it wins at every number of samples") {
+    const Integrand integrand{"", "", [](Vec3 w) { return w.y * w.y * w.y * w.y; }, 2 * portable::pi / 5};
+    ErrorSettings settings;
+    settings.bmc_estimates = 100;
+    const std::vector<ErrorRow> nothing = error_table(integrand, Sobolev(), SquaredExponential(), settings);
+    settings.placement = Placement::cosine;
+    settings.prior.known = KnownPart::cosine;
+    const std::vector<ErrorRow> cosine = error_table(integrand, Sobolev(), SquaredExponential(), settings);
+    for (std::size_t i = 0; i < cosine.size(); ++i) {
+        CHECK(cosine[i].bmc_error < nothing[i].bmc_error);
+        CHECK(cosine[i].bmc_error < cosine[i].mc_error);
+        CHECK(cosine[i].mc_error < nothing[i].mc_error);
+    }
+}
+
 TEST_CASE("an exact estimate has no infinite or undefined gain beside another exact one") {
     CHECK(ErrorRow{10, 0, 0, 0, 0}.gain() == 1);
     CHECK(std::isinf(ErrorRow{10, 1, 0, 0, 0}.gain()));

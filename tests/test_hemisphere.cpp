@@ -47,6 +47,32 @@ TEST_CASE("Fibonacci directions have equidistant elevation cosines and keep apar
     CHECK(nearest > 0.7 * std::sqrt(2 * portable::pi / n));
 }
 
+TEST_CASE("cosine-distributed directions have the moments of the density cos(theta) / pi") {
+    constexpr std::size_t n = 200000;
+    Random random(1, 1);
+    double cosine = 0, cosine_squared = 0, x = 0;
+    for (const Vec3& d : cosine_directions(n, random)) {
+        REQUIRE(std::fabs(length(d) - 1) < 1e-15);
+        REQUIRE(d.y > 0);
+        cosine += d.y / n;
+        cosine_squared += d.y * d.y / n;
+        x += d.x / n;
+    }
+    // cos^2 is uniform: E cos = 2/3 with variance 1/2 - 4/9, E cos^2 = 1/2 with variance 1/12, E x^2 = 1/4. 5 standard
+    // errors.
+    CHECK(std::fabs(cosine - 2.0 / 3) < 5 * std::sqrt(1.0 / 18 / n));
+    CHECK(std::fabs(cosine_squared - 1.0 / 2) < 5 * std::sqrt(1.0 / 12 / n));
+    CHECK(std::fabs(x) < 5 * std::sqrt(1.0 / 4 / n));
+}
+
+TEST_CASE("the cosine-distributed Fibonacci set has equidistant squared elevation cosines") {
+    const std::vector<Vec3> directions = cosine_fibonacci_directions(100);
+    for (std::size_t i = 0; i < 100; ++i) {
+        CHECK(std::fabs(directions[i].y * directions[i].y - (1 - (static_cast<double>(i) + 0.5) / 100)) < 2e-16);
+        CHECK(std::fabs(length(directions[i]) - 1) < 1e-15);
+    }
+}
+
 TEST_CASE("rotation about y keeps elevation, length and the angles between directions") {
     Random random(2, 0);
     const std::vector<Vec3> directions = uniform_directions(50, random);

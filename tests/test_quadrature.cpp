@@ -19,6 +19,18 @@ TEST_CASE("a Monte Carlo rule integrates a constant exactly") {
     }
 }
 
+TEST_CASE("a Monte Carlo rule on cosine-distributed directions knows the cosine and integrates it exactly") {
+    Random random(1, 3);
+    for (const Placement placement : {Placement::cosine, Placement::cosine_fibonacci}) {
+        const QuadratureRule rule = monte_carlo_rule(place_directions(placement, 40, random), placement);
+        CHECK(rule.known == KnownPart::cosine);
+        CHECK(known_part(rule.known, {0.6, 0.8, 0}) == 0.8);
+        double sum = 0;
+        for (double weight : rule.weights) sum += weight;
+        CHECK(std::fabs(sum / pi - 1) < 1e-14);
+    }
+}
+
 TEST_CASE("a Bayesian rule has the weights of the Gaussian process on its directions") {
     Random random(1, 1);
     const std::vector<Vec3> directions = uniform_directions(20, random);

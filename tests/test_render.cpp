@@ -97,6 +97,45 @@ TEST_CASE("a white furnace shows the albedo: MC within 5 standard errors, BMC wi
     }
 }
 
+TEST_CASE(
+    "a uniform environment is rendered exactly by every prior with the mean uniform, where nothing is in the way") {
+    const EnvironmentMap light(1, 1, {0.75, 0.5, 0.25});
+    Scene scene = sphere_scene();
+    scene.rectangle.x_max = scene.rectangle.x_min;
+    for (Method method : {Method::direct, Method::single, Method::rotated, Method::pool})
+        for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine})
+            for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci}) {
+                RenderSettings settings = small(method);
+                settings.prior = {known, PriorMean::uniform};
+                settings.placement = placement;
+                settings.samples = 10;
+                const Image image = render(scene, light, Sobolev(), settings);
+                for (int y = 0; y < 40; ++y)
+                    for (int x = 0; x < 40; ++x) {
+                        if (!intersect(scene, Camera{40, 40}.ray(x, y))) continue;
+                        // 1e-12 before the image rounds to float; 0.75 * 0.8 as a float is within 3e-8 of it.
+                        CHECK(std::fabs(image(x, y).x - static_cast<double>(0.6f)) < 6e-8);
+                        CHECK(std::fabs(image(x, y).y - static_cast<double>(0.4f)) < 6e-8);
+                        CHECK(std::fabs(image(x, y).z - static_cast<double>(0.2f)) < 6e-8);
+                    }
+            }
+}
+
+TEST_CASE("knowing the cosine and placing the samples by it halves the error of the default") {
+    RenderSettings settings = small(Method::mc);
+    settings.placement = Placement::fibonacci;
+    settings.samples = 20000;
+    settings.threads = 2;
+    const EnvironmentMap environment = built_in_environment();
+    const Image truth = render(sphere_scene(), environment, Sobolev(), settings);
+    settings = small(Method::pool);
+    const double plain = compare(render(sphere_scene(), environment, Sobolev(), settings), truth).squared_error;
+    settings.prior.known = KnownPart::cosine;
+    settings.placement = Placement::cosine_fibonacci;
+    const double informed = compare(render(sphere_scene(), environment, Sobolev(), settings), truth).squared_error;
+    CHECK(std::sqrt(informed / plain) < 0.55);
+}
+
 TEST_CASE("every method tends to the same picture, and BMC is nearer to it than MC") {
     RenderSettings settings = small(Method::mc);
     settings.placement = Placement::fibonacci;
