@@ -1,5 +1,6 @@
 # make              the two programs
 # make test         every test, and the programs' output against tests/references
+# make portability  the output of every compiler and processor that this machine has tools for
 # make references   rewrites tests/references: only when the output is meant to change
 # make clean        removes what make made
 
@@ -17,7 +18,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
 
-.PHONY: all test references clean
+.PHONY: all test portability references clean
 all: $(BIN)/workbench $(BIN)/renderer
 
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
@@ -35,6 +36,9 @@ $(BUILD)/%.o: %.cpp
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/run
+
+portability: all $(BUILD)/compare
+	BUILD=$(BUILD) BIN=$(BIN) tests/portability
 
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/run --rewrite

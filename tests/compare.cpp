@@ -81,7 +81,8 @@ std::string describe_lines(const std::vector<std::string>& reference, const std:
     };
     const std::string line = "line " + std::to_string(first + 1), expected = at(reference), found = at(actual);
     const auto difference = is_row(expected) && is_row(found) ? row_difference(expected, found) : std::nullopt;
-    if (!difference) return line + ", reference: " + expected + "\n" + line + ", here:      " + found;
+    const char* const note = split_columns(expected) == split_columns(found) ? " (only white space differs)" : "";
+    if (!difference) return line + ", reference: " + expected + "\n" + line + ", here:      " + found + note;
     const auto row =
         std::count_if(reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(first) + 1, is_row);
     return "row " + std::to_string(row) + " (" + line + "), " + *difference;
@@ -189,7 +190,8 @@ int compare(const char* reference_name, const char* actual_name) {
     const std::string reference = read_file(reference_name), actual = read_file(actual_name);
     if (reference == actual) return 0;
     const std::optional<Picture> picture = parse_picture(reference);
-    if (!picture && (reference.compare(0, 2, "P6") == 0 || reference.compare(0, 2, "PF") == 0))
+    const std::string magic = reference.substr(0, 2);
+    if (!picture && (magic == "P6" || magic == "PF"))
         throw std::runtime_error(std::string(reference_name) + " is a damaged picture (were its line ends converted?)");
     const std::string difference = picture ? picture_difference(*picture, actual) : text_difference(reference, actual);
     if (!difference.empty()) std::printf("%s\n", difference.c_str());
