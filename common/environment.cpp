@@ -11,7 +11,7 @@
 #include <utility>
 
 EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
-    : width_(width), height_(height), last_column_(width - 1.0), last_row_(height - 1.0), rgb_(std::move(rgb)) {
+    : grid_(width, height), height_(height), rgb_(std::move(rgb)) {
     const std::string size = std::to_string(width) + " x " + std::to_string(height) + " texels";
     if (width < 1 || height < 1 || std::int64_t{width} * height > max_texels)
         throw std::invalid_argument("environment map of " + size + ": it takes 1 to " + std::to_string(max_texels));

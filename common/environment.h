@@ -15,22 +15,13 @@
 #include <string>
 #include <vector>
 
-class EnvironmentMap {
+// The texels of a map of so many columns and rows, apart from their radiance: a loop over directions copies it, so that
+// the compiler need not fear for it when texel indices are stored.
+class TexelGrid {
 public:
-    static constexpr int max_texels = 1 << 26;
+    TexelGrid(int columns, int rows) : width_(columns), last_column_(columns - 1.0), last_row_(rows - 1.0) {}
 
-    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top.
-    // Throws std::invalid_argument unless width, height >= 1, width * height <= max_texels, and rgb holds
-    // 3 * width * height values, all of them finite and >= 0.
-    EnvironmentMap(int width, int height, std::vector<float> rgb);
-
-    int width() const { return width_; }
-    int height() const { return height_; }
-
-    // Linear RGB radiance; texel i is at 3 i, 3 i + 1, 3 i + 2.
-    const float* texels() const { return rgb_.data(); }
-
-    // Row * width + column of the texel that a direction sees. The direction has unit length up to rounding. Anything
+    // Row * width_ + column of the texel that a direction sees. The direction has unit length up to rounding. Anything
     // else, nan included, still gives a texel of the map.
     //
     // This runs for every secondary ray, so it is a straight line of arithmetic that a compiler can turn into SIMD over
@@ -42,12 +33,7 @@ public:
         return static_cast<int>(row) * width_ + static_cast<int>(column);
     }
 
-    // Linear RGB radiance that arrives from a direction of unit length.
-    Color radiance(Vec3 direction) const {
-        const std::ptrdiff_t index = texel_index(direction.x, direction.y, direction.z);
-        const float* texel = texels() + 3 * index;
-        return {texel[0], texel[1], texel[2]};
-    }
+    int width() const { return width_; }
 
 private:
     // To [0, last]; the order of the comparisons sends nan to 0.
@@ -94,8 +80,38 @@ private:
         return x < 0 ? -half : half;
     }
 
-    int width_, height_;
+    int width_;
     double last_column_, last_row_;
+};
+
+class EnvironmentMap {
+public:
+    static constexpr int max_texels = 1 << 26;
+
+    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top.
+    // Throws std::invalid_argument unless width, height >= 1, width * height <= max_texels, and rgb holds
+    // 3 * width * height values, all of them finite and >= 0.
+    EnvironmentMap(int width, int height, std::vector<float> rgb);
+
+    int width() const { return grid_.width(); }
+    int height() const { return height_; }
+
+    // Linear RGB radiance; texel i is at 3 i, 3 i + 1, 3 i + 2.
+    const float* texels() const { return rgb_.data(); }
+
+    // How directions fall on the texels.
+    const TexelGrid& grid() const { return grid_; }
+
+    // Linear RGB radiance that arrives from a direction of unit length.
+    Color radiance(Vec3 direction) const {
+        const std::ptrdiff_t index = grid_.texel_index(direction.x, direction.y, direction.z);
+        const float* texel = texels() + 3 * index;
+        return {texel[0], texel[1], texel[2]};
+    }
+
+private:
+    TexelGrid grid_;
+    int height_;
     std::vector<float> rgb_;
 };
 

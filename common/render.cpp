@@ -28,20 +28,22 @@ struct Samples {
     std::vector<int> texel;
 };
 
-// Follows every direction of the rule from a surface: those in shadow lose their weight, the others find their texel.
+// Frame, shadow and grid come by value: what only this loop can see, its stores cannot change, so it vectorises.
+
+// The weight of every direction that leaves the surface past the other object; 0 for those in shadow.
 template <class Shadow>
-void trace(const CosineRule& rule, const Frame& frame, const Shadow& shadow, const EnvironmentMap& environment,
-           Samples& samples) {
-    const std::size_t n = rule.weight.size();
-    samples.weight.resize(n);
-    samples.texel.resize(n);
+void find_weights(const CosineRule& rule, Frame frame, Shadow shadow, double* weight) {
     const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data(), *rule_weight = rule.weight.data();
-    double* weight = samples.weight.data();
-    int* texel = samples.texel.data();
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < rule.weight.size(); ++i)
+        weight[i] = shadow.covers(frame.to_world({x[i], y[i], z[i]})) ? 0 : rule_weight[i];
+}
+
+// The texel that every direction ends in.
+void find_texels(const CosineRule& rule, Frame frame, TexelGrid grid, int* texel) {
+    const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data();
+    for (std::size_t i = 0; i < rule.weight.size(); ++i) {
         const Vec3 direction = frame.to_world({x[i], y[i], z[i]});
-        weight[i] = shadow.covers(direction) ? 0 : rule_weight[i];
-        texel[i] = environment.texel_index(direction.x, direction.y, direction.z);
+        texel[i] = grid.texel_index(direction.x, direction.y, direction.z);
     }
 }
 
@@ -56,10 +58,13 @@ Color weighted_sum(const Samples& samples, const float* texels) {
 
 Color reflected_light(const Scene& scene, const Hit& hit, const CosineRule& rule, const Frame& frame,
                       const EnvironmentMap& environment, Samples& samples) {
+    samples.weight.resize(rule.weight.size());
+    samples.texel.resize(rule.weight.size());
     if (hit.object == Object::sphere)
-        trace(rule, frame, RectangleShadow(scene.rectangle, hit.point), environment, samples);
+        find_weights(rule, frame, RectangleShadow(scene.rectangle, hit.point), samples.weight.data());
     else
-        trace(rule, frame, SphereShadow(scene.sphere, hit.point), environment, samples);
+        find_weights(rule, frame, SphereShadow(scene.sphere, hit.point), samples.weight.data());
+    find_texels(rule, frame, environment.grid(), samples.texel.data());
     const Color irradiance = weighted_sum(samples, environment.texels());
     return 1 / portable::pi *
            Color{hit.albedo.x * irradiance.x, hit.albedo.y * irradiance.y, hit.albedo.z * irradiance.z};

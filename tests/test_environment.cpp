@@ -119,7 +119,7 @@ TEST_CASE("the texel of a direction is that of atan2 and acos, but for a few nei
         const Vec3 d = random_direction(random);
         const int column = static_cast<int>((1 + std::atan2(d.x, -d.z) / portable::pi) / 2 * 1023);
         const int row = static_cast<int>(std::acos(d.y) / portable::pi * 511);
-        const int index = map.texel_index(d.x, d.y, d.z);
+        const int index = map.grid().texel_index(d.x, d.y, d.z);
         const int columns_off = std::abs(index % 1024 - column), rows_off = std::abs(index / 1024 - row);
         different += columns_off + rows_off != 0;
         not_neighbours += columns_off + rows_off > 1;
@@ -132,12 +132,12 @@ TEST_CASE("the texel of a direction is that of atan2 and acos, but for a few nei
 TEST_CASE("the axes meet the texels of the definition") {
     const EnvironmentMap map = numbered_map(512, 256);
     const auto texel = [](int column, int row) { return row * 512 + column; };
-    CHECK(map.texel_index(0, 0, -1) == texel(255, 127));  // u = 1/2: floor(255.5), v = 1/2: floor(127.5)
-    CHECK(map.texel_index(1, 0, 0) == texel(383, 127));   // u = 3/4: floor(383.25)
-    CHECK(map.texel_index(-1, 0, 0) == texel(127, 127));  // u = 1/4: floor(127.75)
-    CHECK(map.texel_index(0, 0, 1) == texel(511, 127));   // u = 1
-    CHECK(map.texel_index(0, 1, 0) == texel(255, 0));     // v = 0
-    CHECK(map.texel_index(0, -1, 0) == texel(255, 255));  // v = 1
+    CHECK(map.grid().texel_index(0, 0, -1) == texel(255, 127));  // u = 1/2: floor(255.5), v = 1/2: floor(127.5)
+    CHECK(map.grid().texel_index(1, 0, 0) == texel(383, 127));   // u = 3/4: floor(383.25)
+    CHECK(map.grid().texel_index(-1, 0, 0) == texel(127, 127));  // u = 1/4: floor(127.75)
+    CHECK(map.grid().texel_index(0, 0, 1) == texel(511, 127));   // u = 1
+    CHECK(map.grid().texel_index(0, 1, 0) == texel(255, 0));     // v = 0
+    CHECK(map.grid().texel_index(0, -1, 0) == texel(255, 255));  // v = 1
     CHECK(map.radiance({1, 0, 0}).x == texel(383, 127));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("every direction meets a texel of the map, off unit length and without
         for (const double x : coordinates)
             for (const double y : coordinates)
                 for (const double z : coordinates) {
-                    const int index = map.texel_index(x, y, z);
+                    const int index = map.grid().texel_index(x, y, z);
                     inside = inside && index >= 0 && index < size.first * size.second;
                 }
         CHECK(inside);
@@ -169,7 +169,7 @@ TEST_CASE("the lookup gives the same texels in a vectorised loop as one by one")
         x.push_back(d.x), y.push_back(d.y), z.push_back(d.z);
     }
     std::vector<int> index(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) index[i] = map.texel_index(x[i], y[i], z[i]);
+    for (std::size_t i = 0; i < x.size(); ++i) index[i] = map.grid().texel_index(x[i], y[i], z[i]);
     bool same = true;
     for (std::size_t i = 0; i < x.size(); ++i) same = same && map.radiance({x[i], y[i], z[i]}).x == index[i];
     CHECK(same);
