@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -18,12 +19,10 @@ namespace {
 
 std::string read_file(const char* name) {
     std::ifstream in(name, std::ios::binary);
-    std::string content;
-    char block[65536];
-    while (in.read(block, sizeof block) || in.gcount() > 0)
-        content.append(block, static_cast<std::size_t>(in.gcount()));
-    if (!in.eof() || in.bad()) throw std::runtime_error(std::string("cannot read ") + name);
-    return content;
+    std::ostringstream content;
+    if (in.peek() != EOF) content << in.rdbuf();
+    if (!in.is_open() || in.bad() || content.fail()) throw std::runtime_error(std::string("cannot read ") + name);
+    return content.str();
 }
 
 std::string in_words(double value, int digits) {
@@ -48,9 +47,7 @@ std::vector<std::string> split_lines(const std::string& text) {
 
 std::vector<std::string> split_columns(const std::string& line) {
     std::istringstream in(line);
-    std::vector<std::string> columns;
-    for (std::string column; in >> column;) columns.push_back(column);
-    return columns;
+    return {std::istream_iterator<std::string>(in), {}};
 }
 
 bool is_row(const std::string& line) { return line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#'; }
@@ -58,8 +55,7 @@ bool is_row(const std::string& line) { return line.find_first_not_of(" \t\r") !=
 std::optional<double> number(const std::string& text) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') return std::nullopt;
-    return value;
+    return text.empty() || *end != '\0' ? std::nullopt : std::optional<double>(value);
 }
 
 // Where two rows differ; nothing if they have no column by column difference and have to be shown whole.
@@ -76,15 +72,12 @@ std::optional<std::string> row_difference(const std::string& reference, const st
 
 std::string describe_lines(const std::vector<std::string>& reference, const std::vector<std::string>& actual,
                            std::size_t first) {
-    const auto at = [&](const std::vector<std::string>& lines) {
-        return first < lines.size() ? lines[first] : "nothing";
-    };
+    const auto at = [&](const auto& lines) { return first < lines.size() ? lines[first] : "nothing"; };
     const std::string line = "line " + std::to_string(first + 1), expected = at(reference), found = at(actual);
     const auto difference = is_row(expected) && is_row(found) ? row_difference(expected, found) : std::nullopt;
     const char* const note = split_columns(expected) == split_columns(found) ? " (only white space differs)" : "";
     if (!difference) return line + ", reference: " + expected + "\n" + line + ", here:      " + found + note;
-    const auto row =
-        std::count_if(reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(first) + 1, is_row);
+    const auto row = std::count_if(reference.data(), reference.data() + first + 1, is_row);
     return "row " + std::to_string(row) + " (" + line + "), " + *difference;
 }
 
@@ -108,8 +101,7 @@ std::string text_difference(const std::string& reference_file, const std::string
     if (differing == 0) return "only the line end after the last line differs";
     std::string text = describe_lines(reference, actual, first) + "; " + count_of(differing, lines, "lines");
     if (reference.size() != actual.size())
-        text += " (the reference has " + std::to_string(reference.size()) + ", here are " +
-                std::to_string(actual.size()) + ")";
+        text += " (reference: " + std::to_string(reference.size()) + ", here: " + std::to_string(actual.size()) + ")";
     return text;
 }
 
@@ -139,13 +131,11 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at, bool little_endi
 
 std::optional<Picture> parse_picture(const std::string& bytes) {
     std::istringstream in(bytes);
-    std::string magic, last;
+    std::string magic, top;
     std::size_t width = 0, height = 0;
-    constexpr std::size_t limit = 1u << 16;
-    if (!(in >> magic >> width >> height >> last) || width > limit || height > limit || in.get() == EOF)
-        return std::nullopt;
+    if (!(in >> magic >> width >> height >> top) || std::max(width, height) > 9999 || in.get() < 0) return std::nullopt;
     const bool floats = magic == "PF";
-    const double scale = number(last).value_or(0);  // PPM: the largest value of a channel
+    const double scale = number(top).value_or(0);  // PPM: the largest value of a channel
     if ((!floats && magic != "P6") || !(floats ? scale != 0 : scale == 255)) return std::nullopt;
     const std::size_t begin = static_cast<std::size_t>(in.tellg()), size = floats ? 4 : 1, count = 3 * width * height;
     if (bytes.size() != begin + size * count) return std::nullopt;
@@ -190,8 +180,7 @@ int compare(const char* reference_name, const char* actual_name) {
     const std::string reference = read_file(reference_name), actual = read_file(actual_name);
     if (reference == actual) return 0;
     const std::optional<Picture> picture = parse_picture(reference);
-    const std::string magic = reference.substr(0, 2);
-    if (!picture && (magic == "P6" || magic == "PF"))
+    if (!picture && reference.compare(0, 1, "P") == 0)
         throw std::runtime_error(std::string(reference_name) + " is a damaged picture (were its line ends converted?)");
     const std::string difference = picture ? picture_difference(*picture, actual) : text_difference(reference, actual);
     if (!difference.empty()) std::printf("%s\n", difference.c_str());
