@@ -26,21 +26,37 @@ struct Elevation {
 // Bulirsch's complete elliptic integral
 //     cel(q, p, a, b) = integral from 0 to pi/2 of (a cos^2 + b sin^2) / ((cos^2 + p sin^2) sqrt(cos^2 + q^2 sin^2)),
 // p given by its root (Bulirsch, "Numerical calculation of elliptic integrals and elliptic functions III", Numerische
-// Mathematik 1969). It converges quadratically: 9 steps suffice for every q >= 2^-60, and a fixed count needs no
-// branch.
+// Mathematik 1969). It converges quadratically: 9 steps suffice for every q >= 2^-60, and with a fixed count a loop
+// over many q vectorises.
 double cel(double q, double root_p, double a, double b) {
     double e = q, m = 1, p = root_p;
     b /= p;
-    for (int step = 0;; ++step) {
+    for (int step = 0; step < 9; ++step) {
         const double last_a = a, g = e / p;
         a += b / p;
         b = 2 * (b + last_a * g);
         p += g;
         m += q;
-        if (step == 8) return pi / 2 * (a * m + b) / (m * (m + p));
         q = 2 * std::sqrt(e);
         e = q * m;
     }
+    return pi / 2 * (a * m + b) / (m * (m + p));
+}
+
+// The rim integral I below at s = 3/2.
+double elliptic_rim_integral(double cos_theta) {
+    const auto [sigma, q] = Elevation(cos_theta);
+    return 2 * std::sqrt(1 + sigma) * cel(q, 1 / q, 1 / q, q);
+}
+
+// z for the known part cos(theta) at s = 3/2. With A the solution of Legendre's equation of degree 1 that the kernel
+// drives,
+//     A(t) = (4/15) [sqrt(2) t artanh(sqrt((1 - t) / 2)) - sqrt(1 - t)],
+// the divergence theorem and one integration by parts leave a complete elliptic integral over the rim.
+double cosine_integral(double cos_theta) {
+    const auto [sigma, q] = Elevation(cos_theta);
+    return 8 * pi / 3 -
+           16 * std::sqrt(2.0) / 15 * std::sqrt(1 + sigma) * (2 * cel(q, 1, 1, q * q) - cel(q, 1 / q, 1, 1));
 }
 
 // The nodes y = e^(h k) of the trapezoidal rule in u = ln y, step h. From e^-38 to e^80 they reach from where the rim
@@ -61,6 +77,14 @@ double mean_sine_power(double p) {
 
 }  // namespace
 
+void Covariance::covariances(std::vector<double>& squared_chords) const {
+    for (double& element : squared_chords) element = (*this)(element);
+}
+
+void Covariance::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
+    for (double& element : cos_thetas) element = hemisphere_integral(element, known);
+}
+
 Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
     if (!(smoothness > 1 && smoothness < 2))
         throw std::invalid_argument("the smoothness must lie between 1 and 2, both excluded; it is " +
@@ -73,22 +97,40 @@ Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
 }
 
 double Sobolev::operator()(double squared_chord) const {
-    return constant_ - (nodes_.empty() ? std::sqrt(squared_chord) : portable::pow(squared_chord, exponent_));
+    return constant_ - (has_closed_form() ? std::sqrt(squared_chord) : portable::pow(squared_chord, exponent_));
+}
+
+void Sobolev::covariances(std::vector<double>& squared_chords) const {
+    if (!has_closed_form()) return Covariance::covariances(squared_chords);
+    for (double& element : squared_chords) element = constant_ - std::sqrt(element);
 }
 
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
-double Sobolev::hemisphere_integral(double cos_theta, KnownPart known) const {
-    if (known == KnownPart::cosine) return cosine_integral(cos_theta);
-    const double s = exponent_ + 1;
-    return 2 * pi * constant_ - portable::pow(2, s) / s * rim_integral(cos_theta);
+void Sobolev::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
+    if (known == KnownPart::cosine) {
+        require_closed_form();
+        for (double& element : cos_thetas) element = cosine_integral(element);
+        return;
+    }
+    const double s = exponent_ + 1, whole = 2 * pi * constant_, factor = portable::pow(2, s) / s;
+    if (has_closed_form())
+        for (double& element : cos_thetas) element = whole - factor * elliptic_rim_integral(element);
+    else
+        for (double& element : cos_thetas) element = whole - factor * rim_sum(element);
 }
 
-double Sobolev::rim_integral(double cos_theta) const {
+double Sobolev::hemisphere_integral(double cos_theta, KnownPart known) const {
+    std::vector<double> one{cos_theta};
+    hemisphere_integrals(one, known);
+    return one[0];
+}
+
+// I for any s. With tan(E / 2) = q y, y = e^u, the integrand is analytic in |Im u| < pi/2 whatever q is, so one step of
+// the trapezoidal rule in u suits every elevation.
+double Sobolev::rim_sum(double cos_theta) const {
     const auto [sigma, q] = Elevation(cos_theta);
-    if (nodes_.empty()) return 2 * std::sqrt(1 + sigma) * cel(q, 1 / q, 1 / q, q);
-    // tan(E / 2) = q y, y = e^u: analytic in |Im u| < pi/2 whatever q is, so one step suits every elevation.
     double sum = 0;
     for (double y : nodes_) {
         const double yy = y * y, t = q * y;
@@ -98,22 +140,16 @@ double Sobolev::rim_integral(double cos_theta) const {
     return rim_step * sum;
 }
 
-// With A the solution of Legendre's equation of degree 1 that the kernel drives,
-//     A(t) = (4/15) [sqrt(2) t artanh(sqrt((1 - t) / 2)) - sqrt(1 - t)],
-// the divergence theorem and one integration by parts leave a complete elliptic integral over the rim.
-double Sobolev::cosine_integral(double cos_theta) const {
-    if (!nodes_.empty())
+void Sobolev::require_closed_form() const {
+    if (!has_closed_form())
         throw std::invalid_argument("the known part cosine has a closed form for the smoothness 1.5 only; it is " +
                                     std::to_string(exponent_ + 1));
-    const auto [sigma, q] = Elevation(cos_theta);
-    return 8 * pi / 3 -
-           16 * std::sqrt(2.0) / 15 * std::sqrt(1 + sigma) * (2 * cel(q, 1, 1, q * q) - cel(q, 1 / q, 1, 1));
 }
 
 double Sobolev::double_integral(KnownPart known) const {
     if (known == KnownPart::nothing) return double_integral_;
-    cosine_integral(1);            // throws where there is no closed form
-    return 16.787120248013257721;  // of z cos(theta), at s = 3/2: quadrature to 20 digits
+    require_closed_form();
+    return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
 
 namespace {

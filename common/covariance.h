@@ -26,6 +26,12 @@ public:
     // Throws std::invalid_argument for a known part with which this covariance has no closed form.
     virtual double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const = 0;
 
+    // The same for arrays, in place: squared chords become covariances, elevation cosines become z. A Gaussian process
+    // spends its time here, and one call for many values lets a covariance of plain arithmetic compute them side by
+    // side.
+    virtual void covariances(std::vector<double>& squared_chords) const;
+    virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const;
+
     // zz. Throws as hemisphere_integral does.
     virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
 };
@@ -42,11 +48,14 @@ public:
 
     double operator()(double squared_chord) const override;
     double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
+    void covariances(std::vector<double>& squared_chords) const override;
+    void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
 
 private:
-    double rim_integral(double cos_theta) const;
-    double cosine_integral(double cos_theta) const;
+    bool has_closed_form() const { return nodes_.empty(); }
+    double rim_sum(double cos_theta) const;
+    void require_closed_form() const;
 
     double exponent_;  // s - 1
     double constant_;  // C

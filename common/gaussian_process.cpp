@@ -22,8 +22,9 @@ std::vector<double> hemisphere_integrals(const Covariance& covariance, const std
     for (const Vec3& direction : directions) {
         if (!(direction.y >= 0))
             throw std::invalid_argument("a direction lies below the horizon: its y is " + std::to_string(direction.y));
-        z.push_back(covariance.hemisphere_integral(std::min(direction.y, 1.0), known));
+        z.push_back(std::min(direction.y, 1.0));
     }
+    covariance.hemisphere_integrals(z, known);
     return z;
 }
 
@@ -33,12 +34,16 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
         throw std::invalid_argument("the noise must be at least 0; it is " + std::to_string(noise));
     const std::size_t n = directions.size();
     Matrix q(n, n);
+    std::vector<double> row;
     for (std::size_t i = 0; i < n; ++i) {
+        row.resize(n - i);
         for (std::size_t j = i; j < n; ++j) {
             const Vec3 chord = directions[i] - directions[j];
-            q(i, j) = covariance(dot(chord, chord));
+            row[j - i] = dot(chord, chord);
         }
-        q(i, i) += noise * noise;
+        covariance.covariances(row);
+        row[0] += noise * noise;
+        std::copy(row.begin(), row.end(), q.row(i) + i);
     }
     return q;
 }

@@ -93,7 +93,7 @@ TEST_CASE("the estimate of cos(theta) is as accurate as was measured elsewhere")
 
 TEST_CASE("85 to 99.9 percent of the errors on a kinked integrand lie within two predicted standard errors") {
     const double truth = kinked_integral();
-    for (std::size_t n : {20, 40, 80}) {
+    for (std::size_t n : {20u, 40u, 80u}) {
         int inside = 0;
         for (std::uint64_t set = 0; set < 300; ++set) {
             const GaussianProcess process(Sobolev(), 0.01, random_directions(n, 1000 * n + set));
@@ -123,7 +123,7 @@ TEST_CASE("the variance falls with every added direction and is never negative")
 
 TEST_CASE("an unknown uniform light is integrated exactly, whatever is known and however few the samples") {
     for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine})
-        for (std::size_t n : {1, 2, 10, 100}) {
+        for (std::size_t n : {1u, 2u, 10u, 100u}) {
             const std::vector<Vec3> directions = random_directions(n, 6);
             const GaussianProcess process(Sobolev(), 0.01, directions, {known, PriorMean::uniform});
             const std::vector<double> light = values_of(directions, [](Vec3 w) { return w.y; });
@@ -152,7 +152,7 @@ TEST_CASE("an unknown mean adds to the variance, and its amplitude, evidence and
 TEST_CASE("85 to 99.9 percent of the errors lie within two predicted standard errors where the cosine is known") {
     const double truth = kinked_integral();
     for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform})
-        for (std::size_t n : {20, 40, 80}) {
+        for (std::size_t n : {20u, 40u, 80u}) {
             int inside = 0;
             for (std::uint64_t set = 0; set < 300; ++set) {
                 Random random(12, 1000 * n + set);

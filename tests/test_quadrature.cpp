@@ -10,7 +10,7 @@ using portable::pi;
 
 TEST_CASE("a Monte Carlo rule integrates a constant exactly") {
     Random random(1, 0);
-    for (std::size_t n : {1, 2, 40, 1000}) {
+    for (std::size_t n : {1u, 2u, 40u, 1000u}) {
         const QuadratureRule rule = monte_carlo_rule(uniform_directions(n, random));
         double sum = 0;
         for (double weight : rule.weights) sum += weight;
