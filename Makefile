@@ -1,6 +1,10 @@
 # make              the two programs
 # make test         every test, and the programs' output against tests/references
 # make portability  the output of every compiler and processor that this machine has tools for
+# make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
+# make bench        how fast the hot paths are, beside LAPACK if it is installed
+# make figures      draws the figures of README.md from the programs' output
+# make format-check whether clang-format would change a source
 # make references   rewrites tests/references: only when the output is meant to change
 # make clean        removes what make made
 
@@ -18,7 +22,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
 
-.PHONY: all test portability references clean
+.PHONY: all test portability fuzz bench figures format-check references clean
 all: $(BIN)/workbench $(BIN)/renderer
 
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
@@ -39,6 +43,29 @@ test: all $(BUILD)/unit_tests $(BUILD)/compare
 
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/portability
+
+FUZZ_SECONDS ?= 60
+FUZZ = $(BUILD)/fuzz
+FUZZERS = fuzz_environment fuzz_command_line
+fuzz:
+	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
+	    BUILD=$(FUZZ) $(FUZZERS:%=$(FUZZ)/%)
+	FUZZ=$(FUZZ) FUZZ_SECONDS=$(FUZZ_SECONDS) tests/fuzz
+$(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/%.o $(COMMON)
+	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(LANGUAGE) $(LDFLAGS) $^ -o $@
+
+LAPACK = $(if $(wildcard /usr/lib/*/libopenblas.so),-lopenblas)
+bench: $(BUILD)/bench
+	OPENBLAS_NUM_THREADS=1 $(BUILD)/bench
+$(BUILD)/bench: CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK)
+$(BUILD)/bench: $(BUILD)/tests/bench.o $(COMMON)
+	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ $(LAPACK) -o $@
+
+format-check:
+	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h tests/*.cpp
+
+figures: all
+	BIN=$(BIN) tests/figures
 
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/run --rewrite

@@ -13,8 +13,9 @@ namespace {
 struct Request {
     RenderSettings settings;
     ModelOptions model;
-    std::string environment;
-    bool linear = false;  // PFM instead of PPM
+    std::unique_ptr<Covariance> covariance;
+    std::string environment;  // empty: the built-in one
+    bool linear = false;      // PFM instead of PPM
     bool help = false;
 };
 
@@ -23,69 +24,95 @@ constexpr long max_mc_samples = 1000000;
 
 void set_size(RenderSettings& settings, const std::string& text) {
     const std::size_t cross = text.find('x');
-    settings.width = static_cast<int>(parse_integer(text.substr(0, cross), 1, max_side));
-    settings.height = cross == std::string::npos ? settings.width
-                                                 : static_cast<int>(parse_integer(text.substr(cross + 1), 1, max_side));
+    try {
+        settings.width = static_cast<int>(parse_integer(text.substr(0, cross), 1, max_side));
+        settings.height = settings.width;
+        if (cross != std::string::npos)
+            settings.height = static_cast<int>(parse_integer(text.substr(cross + 1), 1, max_side));
+    } catch (const UsageError&) {
+        throw UsageError("'" + text + "' is neither WxH nor W, whole numbers from 1 to " + std::to_string(max_side));
+    }
+}
+
+std::vector<Option> method_options(RenderSettings& settings) {
+    return {{"method", "NAME", "mc, direct, single, rotated or pool (default)",
+             [&](const std::string& text) {
+                 settings.method = parse_choice<Method>(text, {{"mc", Method::mc},
+                                                               {"direct", Method::direct},
+                                                               {"single", Method::single},
+                                                               {"rotated", Method::rotated},
+                                                               {"pool", Method::pool}});
+             }},
+            {"samples", "N", "directions per pixel (default 40)",
+             [&](const std::string& text) {
+                 settings.samples = static_cast<std::size_t>(parse_integer(text, 1, max_mc_samples));
+             }},
+            {"pool", "K", "Gaussian processes in the pool (default 20)",
+             [&](const std::string& text) { settings.pool = static_cast<std::size_t>(parse_integer(text, 1, 1000)); }}};
+}
+
+std::vector<Option> picture_options(Request& request) {
+    RenderSettings& settings = request.settings;
+    return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
+             [&](const std::string& text) { set_size(settings, text); }},
+            {"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
+             [&](const std::string& text) { request.environment = parse_file_name(text); }},
+            {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
+             [&](const std::string& text) {
+                 request.linear = parse_choice<bool>(text, {{"ppm", false}, {"pfm", true}});
+             }},
+            {"threads", "T", "changes the time only, not the picture (default: all cores)",
+             [&](const std::string& text) { settings.threads = static_cast<unsigned>(parse_integer(text, 1, 256)); }},
+            {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
 }
 
 std::vector<Option> options_of(Request& request) {
-    RenderSettings& settings = request.settings;
-    std::vector<Option> options = {
-        {"method", "NAME", "mc, direct, single, rotated or pool (default)",
-         [&](const std::string& text) {
-             settings.method = parse_choice<Method>(text, {{"mc", Method::mc},
-                                                           {"direct", Method::direct},
-                                                           {"single", Method::single},
-                                                           {"rotated", Method::rotated},
-                                                           {"pool", Method::pool}});
-         }},
-        {"samples", "N", "directions per pixel (default 40)",
-         [&](const std::string& text) {
-             settings.samples = static_cast<std::size_t>(parse_integer(text, 1, max_mc_samples));
-         }},
-        {"pool", "K", "Gaussian processes in the pool (default 20)",
-         [&](const std::string& text) { settings.pool = static_cast<std::size_t>(parse_integer(text, 1, 1000)); }},
-        {"size", "WxH", "of the picture in pixels, or W for a square (default 500x500)",
-         [&](const std::string& text) { set_size(settings, text); }},
-        {"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
-         [&](const std::string& text) { request.environment = text; }},
-        {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
-         [&](const std::string& text) {
-             request.linear = parse_choice<bool>(text, {{"ppm", false}, {"pfm", true}});
-         }},
-        {"threads", "T", "changes the time only, not the picture (default: all cores)",
-         [&](const std::string& text) { settings.threads = static_cast<unsigned>(parse_integer(text, 1, 256)); }},
-        {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
-    for (Option& option : request.model.options()) options.insert(options.end() - 1, std::move(option));
+    std::vector<Option> options;
+    for (std::vector<Option> group :
+         {method_options(request.settings), request.model.options(), picture_options(request)})
+        for (Option& option : group) options.push_back(std::move(option));
     return options;
 }
 
-std::string run(int argc, char** argv) {
+std::string help_text() {
+    Request request;
+    return "usage: ./renderer [options] > out.ppm\n\n"
+           "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\nmethod:\n" +
+           describe(method_options(request.settings)) + "\nGaussian process and its samples:\n" +
+           describe(request.model.options()) + "\npicture:\n" + describe(picture_options(request)) +
+           "\nexamples: ./renderer --method mc --samples 40 > mc.ppm\n"
+           "          ./renderer --known cosine --placement cosine-fibonacci --format pfm > out.pfm\n";
+}
+
+// Throws UsageError.
+Request parse(int argc, char** argv) {
     Request request;
     RenderSettings& settings = request.settings;
     settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    const std::vector<Option> options = options_of(request);
-    const std::vector<std::string> rest = parse_options(argc, argv, options);
-    if (request.help)
-        return "usage: ./renderer [options] > out.ppm\n\nRenders the sphere scene by Bayesian Monte Carlo "
-               "integration.\n\n" +
-               describe(options);
+    const std::vector<std::string> rest = parse_options(argc, argv, options_of(request));
+    if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     if (settings.method != Method::mc && settings.samples > max_process_samples)
-        throw UsageError("--samples: at most " + std::to_string(max_process_samples) + " for every method but mc");
-    if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to the terminal; write ./renderer > out.ppm");
-    const auto covariance = request.model.make_covariance();
+        throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
+                         std::to_string(max_process_samples) + " are allowed for every method but mc");
+    request.covariance = request.model.make_covariance();
     settings.placement = request.model.placement;
     settings.noise = request.model.noise;
     settings.prior = request.model.prior;
     settings.seed = request.model.seed;
-    const Image image = render(sphere_scene(), load_environment(request.environment), *covariance, settings,
-                               terminal_progress("renderer"));
+    return request;
+}
+
+std::string run(const Request& request) {
+    if (request.help) return help_text();
+    if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to the terminal; write ./renderer > out.ppm");
+    const Image image = render(sphere_scene(), load_environment(request.environment), *request.covariance,
+                               request.settings, terminal_progress("renderer"));
     return request.linear ? to_pfm(image) : to_ppm(image);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_program("renderer", [&] { return run(argc, argv); });
+    return run_program("renderer", [&] { return run(parse(argc, argv)); });
 }

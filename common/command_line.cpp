@@ -3,6 +3,7 @@
 #include <getopt.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 
 namespace {
 
@@ -26,28 +28,45 @@ void write_all(const std::string& output) {
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
 
+// What getopt_long returns for options[0]. Each option has a value of its own, or getopt_long would take --s for the
+// first option that begins so, though several do.
+constexpr int first_option = 256;
+
+// After getopt_long has returned ':' or '?', with the offender in optopt: an option, a letter, or 0 for another word.
+UsageError not_found(int reason, char** argv) {
+    const std::string word = argv[optind - 1];
+    if (reason == ':') return UsageError(word + " needs a value; --help shows which");
+    if (optopt >= first_option) return UsageError(word.substr(0, word.find('=')) + " takes no value");
+    const std::string name = optopt == 0 ? word : std::string("-") + static_cast<char>(optopt);
+    return UsageError("there is no option " + name + "; --help lists them all");
+}
+
+// One line, whatever the words and file names in it hold.
+void print_error(const char* name, std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    std::fprintf(stderr, "%s: %s\n", name, text.c_str());
+}
+
 }  // namespace
 
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options) {
     std::vector<option> table;
     for (const Option& o : options)
-        table.push_back({o.name.c_str(), o.argument.empty() ? no_argument : required_argument, nullptr, 0});
+        table.push_back({o.name.c_str(), o.argument.empty() ? no_argument : required_argument, nullptr,
+                         first_option + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
-    for (int index = 0;;) {
-        const int found = getopt_long(argc, argv, ":", table.data(), &index);
-        if (found == -1) break;
-        const std::string word = argv[optind - 1];
-        if (found == ':') throw UsageError(word + " needs a value; --help shows which");
-        if (found == '?') throw UsageError("there is no option " + word + "; --help lists them all");
-        const Option& chosen = options[static_cast<std::size_t>(index)];
+    for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
+        if (found < first_option) throw not_found(found, argv);
+        const Option& chosen = options[static_cast<std::size_t>(found - first_option)];
         try {
             chosen.set(optarg ? optarg : "");
         } catch (const UsageError& error) {
             throw UsageError("--" + chosen.name + ": " + error.what());
         }
     }
-    return {argv + optind, argv + argc};
+    return {argv + std::min(optind, argc), argv + argc};  // a caller may give no words at all, not even a name
 }
 
 std::string describe(const std::vector<Option>& options) {
@@ -80,6 +99,11 @@ long parse_integer(const std::string& text, long low, long high) {
 
 std::uint64_t parse_seed(const std::string& text) {
     return static_cast<std::uint64_t>(parse_integer(text, 0, 2147483647));
+}
+
+std::string parse_file_name(const std::string& text) {
+    if (text.empty()) throw UsageError("'' is no name of a file");
+    return text;
 }
 
 std::vector<Option> ModelOptions::options() {
@@ -129,12 +153,15 @@ int run_program(const char* name, const std::function<std::string()>& body) {
         write_all(body());
         return 0;
     } catch (const UsageError& error) {
-        std::fprintf(stderr, "%s: %s\n", name, error.what());
+        print_error(name, error.what());
         return 2;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "%s: there is not enough memory; ask for fewer samples or pixels\n", name);
+        print_error(name, "there is not enough memory; ask for fewer samples or pixels");
+    } catch (const std::system_error& error) {
+        const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+        print_error(name, threads ? "the system starts no more threads; ask for fewer with --threads" : error.what());
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", name, error.what());
+        print_error(name, error.what());
     }
     return 1;
 }

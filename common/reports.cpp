@@ -213,6 +213,21 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
     return text;
 }
 
+std::string rule_report(const QuadratureRule& rule) {
+    std::string text = "#       x         y         z       weight\n";
+    double sum = 0;
+    std::size_t negative = 0;
+    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+        const Vec3 direction = rule.directions[i];
+        text += line("%9.6f %9.6f %9.6f %12.6g\n", direction.x, direction.y, direction.z, rule.weights[i]);
+        sum += rule.weights[i];
+        negative += rule.weights[i] < 0 ? 1 : 0;
+    }
+    const bool cosine = rule.known == KnownPart::cosine;
+    return text + line("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
+                       cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
+}
+
 std::string known_report() {
     ErrorSettings settings;
     settings.mc_estimates = settings.bmc_estimates = 100;
@@ -244,9 +259,9 @@ std::string known_report() {
     return text;
 }
 
-std::string tradeoff_report(const EnvironmentMap& environment, bool timed) {
+std::string tradeoff_report(const EnvironmentMap& environment, int size, bool timed) {
     const std::vector<IntegralCost> integrals = integral_costs(practice_integrands().back(), timed);
-    const std::vector<PictureCost> pictures = picture_costs(environment, timed);
+    const std::vector<PictureCost> pictures = picture_costs(environment, size, timed);
     return "# What an integral costs: the environment integrand, Sobolev 3/2, noise 0.01; errors are root mean "
            "squares.\n"
            "# mc_samples: samples with which Monte Carlo has the error of Bayesian Monte Carlo.\n" +

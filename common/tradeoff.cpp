@@ -167,23 +167,23 @@ std::vector<RenderSettings> compared_settings() {
 
 }  // namespace
 
-std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, bool timed) {
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed) {
     const Scene scene = sphere_scene();
-    const auto small = [](RenderSettings settings, std::size_t samples) {
+    const auto sized = [&](RenderSettings settings, std::size_t samples) {
         settings.samples = samples;
-        settings.width = settings.height = 64;
+        settings.width = settings.height = size;
         settings.threads = std::max(1u, std::thread::hardware_concurrency());
         return settings;
     };
     RenderSettings dense;
     dense.method = Method::mc;
     dense.placement = Placement::fibonacci;
-    const Image truth = render(scene, environment, Sobolev(), small(dense, 20000));
+    const Image truth = render(scene, environment, Sobolev(), sized(dense, 20000));
 
     std::vector<PictureCost> rows;
     for (const RenderSettings& compared : compared_settings())
         for (const std::size_t samples : {10u, 20u, 40u, 80u, 160u}) {
-            RenderSettings settings = small(compared, samples);
+            RenderSettings settings = sized(compared, samples);
             std::vector<Image> images;
             for (settings.seed = 1; settings.seed <= seeds; ++settings.seed)
                 images.push_back(render(scene, environment, Sobolev(), settings));

@@ -42,7 +42,7 @@ struct PictureCost {
 // mc, direct, single, rotated and pools of 1, 2, 5 and 20, on uniform and Fibonacci directions; then mc on
 // cosine-distributed directions and pools of 20 for every prior on the directions that suit it; each with 10, 20, 40,
 // 80 and 160 samples.
-std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, bool timed);
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed);
 
 // The number of pixels that show an object.
 double object_pixels(const Scene& scene, int width, int height);

@@ -32,7 +32,7 @@ TEST_CASE("a million object pixels of the 500 x 500 picture are 166094 of 250000
 }
 
 TEST_CASE("what a picture costs: the practice's three steps against error correlated between pixels") {
-    const std::vector<PictureCost> rows = picture_costs(built_in_environment(), false);
+    const std::vector<PictureCost> rows = picture_costs(built_in_environment(), 64, false);
     CHECK(rows.size() == (8 * 2 + 10) * 5);
     const auto find = [&](Method method, std::size_t pool, std::size_t samples) {
         for (const PictureCost& row : rows)
