@@ -3,6 +3,8 @@
 
 #include "portable_math.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -24,3 +26,14 @@ private:
     std::size_t rows_, columns_;
     std::vector<double> elements_;
 };
+
+// The largest sum of absolute values in a row: the norm |A| that belongs to the largest element of a vector.
+inline double row_sum_norm(const Matrix& a) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.rows(); ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < a.columns(); ++j) sum += std::fabs(a(i, j));
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}

@@ -10,16 +10,6 @@ using portable::pi;
 
 namespace {
 
-double largest_row_sum(const Matrix& a) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.rows(); ++i) {
-        double sum = 0;
-        for (std::size_t j = 0; j < a.columns(); ++j) sum += std::fabs(a(i, j));
-        largest = std::max(largest, sum);
-    }
-    return largest;
-}
-
 // c += factor * a^T b
 void add_transposed_product(double factor, const Matrix& a, const Matrix& b, Matrix& c) {
     for (std::size_t i = 0; i < c.rows(); ++i)
@@ -70,14 +60,14 @@ Residuals residuals_of(const Matrix& upper_triangle, const Cholesky& cholesky, c
     Matrix a = upper_triangle;
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < i; ++j) a(i, j) = a(j, i);
-    const double a_norm = largest_row_sum(a), inverse_norm = largest_row_sum(inverse);
+    const double a_norm = row_sum_norm(a), inverse_norm = row_sum_norm(inverse);
     const double unit = static_cast<double>(n) * DBL_EPSILON;
     Matrix identity_residual(n, n), factor_residual = a;
     for (std::size_t i = 0; i < n; ++i) identity_residual(i, i) = -1;
     add_transposed_product(-1, cholesky.upper(), cholesky.upper(), factor_residual);
     add_transposed_product(1, a, inverse, identity_residual);
-    return {largest_row_sum(factor_residual) / (unit * a_norm),
-            largest_row_sum(identity_residual) / (unit * a_norm * inverse_norm), a_norm * inverse_norm};
+    return {row_sum_norm(factor_residual) / (unit * a_norm),
+            row_sum_norm(identity_residual) / (unit * a_norm * inverse_norm), a_norm * inverse_norm};
 }
 
 StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double noise) {

@@ -21,7 +21,7 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 struct Residuals {
     double factor;     // |A - L L^T| / (n eps |A|)
     double inverse;    // |I - A A^-1| / (n eps |A| |A^-1|)
-    double condition;  // |A| |A^-1|; all norms are the largest row sum
+    double condition;  // |A| |A^-1|; all norms are row_sum_norm
 };
 
 // The residuals of a factored symmetric matrix, given by its upper triangle.

@@ -14,3 +14,11 @@ TEST_CASE("a matrix starts at zero and is stored row by row") {
     CHECK(matrix.row(1)[2] == 12);
     CHECK(&matrix(1, 0) == matrix.row(0) + 3);
 }
+
+TEST_CASE("the row-sum norm is the largest sum of absolute values in a row") {
+    Matrix matrix(2, 2);
+    matrix(0, 0) = -3;
+    matrix(0, 1) = 4;
+    matrix(1, 0) = 6;
+    CHECK(row_sum_norm(matrix) == 7);
+}

@@ -23,6 +23,14 @@ std::string picture(const RenderSettings& settings) {
     return to_pfm(render(sphere_scene(), built_in_environment(), Sobolev(), settings));
 }
 
+Image dense_quadrature(const EnvironmentMap& environment) {
+    RenderSettings settings = small(Method::mc);
+    settings.placement = Placement::fibonacci;
+    settings.samples = 20000;
+    settings.threads = 2;
+    return render(sphere_scene(), environment, Sobolev(), settings);
+}
+
 struct Statistics {
     double mean = 0, squared_error = 0;
 };
@@ -122,13 +130,9 @@ TEST_CASE(
 }
 
 TEST_CASE("knowing the cosine and placing the samples by it halves the error of the default") {
-    RenderSettings settings = small(Method::mc);
-    settings.placement = Placement::fibonacci;
-    settings.samples = 20000;
-    settings.threads = 2;
     const EnvironmentMap environment = built_in_environment();
-    const Image truth = render(sphere_scene(), environment, Sobolev(), settings);
-    settings = small(Method::pool);
+    const Image truth = dense_quadrature(environment);
+    RenderSettings settings = small(Method::pool);
     const double plain = compare(render(sphere_scene(), environment, Sobolev(), settings), truth).squared_error;
     settings.prior.known = KnownPart::cosine;
     settings.placement = Placement::cosine_fibonacci;
@@ -137,14 +141,9 @@ TEST_CASE("knowing the cosine and placing the samples by it halves the error of 
 }
 
 TEST_CASE("every method tends to the same picture, and BMC is nearer to it than MC") {
-    RenderSettings settings = small(Method::mc);
-    settings.placement = Placement::fibonacci;
-    settings.samples = 20000;
-    settings.threads = 2;
     const EnvironmentMap environment = built_in_environment();
-    const Image truth = render(sphere_scene(), environment, Sobolev(), settings);
-    settings = small(Method::mc);
-    const Image mc = render(sphere_scene(), environment, Sobolev(), settings);
+    const Image truth = dense_quadrature(environment);
+    const Image mc = render(sphere_scene(), environment, Sobolev(), small(Method::mc));
     const double mc_error = compare(mc, truth).squared_error;
     for (Method method : {Method::direct, Method::rotated, Method::pool}) {
         const Image image = render(sphere_scene(), environment, Sobolev(), small(method));
