@@ -56,7 +56,7 @@ std::vector<Option> picture_options(Request& request) {
     return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
              [&](const std::string& text) { set_size(settings, text); }},
             {"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
-             [&](const std::string& text) { request.environment = parse_file_name(text); }},
+             [&](const std::string& text) { request.environment = parse_name(text); }},
             {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
              [&](const std::string& text) {
                  request.linear = parse_choice<bool>(text, {{"ppm", false}, {"pfm", true}});

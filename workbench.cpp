@@ -57,12 +57,7 @@ std::vector<Option> error_options(Request& request) {
     ErrorSettings& settings = request.settings;
     std::vector<Option> options = {
         {"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
-         [&](const std::string& text) {
-             request.integrand = parse_choice<const char*>(text, {{"constant", "constant"},
-                                                                  {"cosine", "cosine"},
-                                                                  {"cosine-cubed", "cosine-cubed"},
-                                                                  {"environment", "environment"}});
-         }},
+         [&](const std::string& text) { request.integrand = parse_name(text); }},
         {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
          [&](const std::string& text) { set_samples(settings, text); }},
         {"mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
@@ -89,7 +84,7 @@ std::vector<Option> rule_options(Request& request) {
 
 std::vector<Option> tradeoff_options(Request& request) {
     return {{"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
-             [&](const std::string& text) { request.environment = parse_file_name(text); }},
+             [&](const std::string& text) { request.environment = parse_name(text); }},
             {"size", "W", "of the pictures, W x W pixels (default 64)",
              [&](const std::string& text) { request.size = static_cast<int>(parse_integer(text, 2, 1024)); }},
             {"no-times", "", "leave out what is measured and differs from run to run",
@@ -150,11 +145,14 @@ Request parse(int argc, char** argv) {
 
 std::string error_tables(const Request& request) {
     const SquaredExponential rival(request.model.length_scale);
-    std::string text;
-    for (const Integrand& integrand : practice_integrands())
-        if (request.integrand.empty() || request.integrand == integrand.name)
-            text += (text.empty() ? "" : "\n\n") +
-                    error_report(integrand, error_table(integrand, *request.covariance, rival, request.settings));
+    std::string text, names;
+    for (const Integrand& integrand : practice_integrands()) {
+        names += (names.empty() ? "" : ", ") + integrand.name;
+        if (!request.integrand.empty() && request.integrand != integrand.name) continue;
+        text += (text.empty() ? "" : "\n\n") +
+                error_report(integrand, error_table(integrand, *request.covariance, rival, request.settings));
+    }
+    if (text.empty()) throw UsageError("--integrand: '" + request.integrand + "' is none of " + names);
     return text;
 }
 

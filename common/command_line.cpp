@@ -101,8 +101,8 @@ std::uint64_t parse_seed(const std::string& text) {
     return static_cast<std::uint64_t>(parse_integer(text, 0, 2147483647));
 }
 
-std::string parse_file_name(const std::string& text) {
-    if (text.empty()) throw UsageError("'' is no name of a file");
+std::string parse_name(const std::string& text) {
+    if (text.empty()) throw UsageError("an empty text is no name");
     return text;
 }
 

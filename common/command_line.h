@@ -38,7 +38,7 @@ long parse_integer(const std::string& text, long low, long high);
 std::uint64_t parse_seed(const std::string& text);
 
 // The text; throws UsageError if it is empty.
-std::string parse_file_name(const std::string& text);
+std::string parse_name(const std::string& text);
 
 // The value that the text names; throws UsageError with the list of names.
 template <class T>
