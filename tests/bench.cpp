@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "../common/gaussian_process.h"
-#include "../common/render.h"
+#include "../common/tradeoff.h"
 
 #ifdef COMPARE_LAPACK
 extern "C" {
@@ -48,11 +48,7 @@ double median_seconds(Action action) {
 }
 
 double rays_of(const RenderSettings& settings) {
-    const Camera camera{settings.width, settings.height};
-    double hits = 0;
-    for (int y = 0; y < settings.height; ++y)
-        for (int x = 0; x < settings.width; ++x) hits += intersect(sphere_scene(), camera.ray(x, y)).has_value();
-    return hits * static_cast<double>(settings.samples);
+    return object_pixels(sphere_scene(), settings.width, settings.height) * static_cast<double>(settings.samples);
 }
 
 RenderSettings square(int size, std::size_t samples, unsigned threads) {
