@@ -8,6 +8,11 @@
 # make references   rewrites tests/references: only when the output is meant to change
 # make clean        removes what make made
 
+# On all processors, unless a number of jobs is given.
+ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc)
+endif
+
 CXX ?= g++
 ARCH ?= $(shell $(CXX) -march=native -x c++ -fsyntax-only /dev/null 2>/dev/null && echo -march=native)
 CXXFLAGS ?= -O3 $(ARCH)
@@ -19,10 +24,10 @@ BIN ?= .
 LANGUAGE = -std=c++17 -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 
-COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp))
+COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp common/*/*.cpp))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
 
-.PHONY: all test portability fuzz bench figures format-check references clean
+.PHONY: always all test portability fuzz bench figures format-check references clean
 all: $(BIN)/workbench $(BIN)/renderer
 
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
@@ -34,9 +39,15 @@ $(BUILD)/unit_tests: $(TESTS) $(COMMON)
 $(BUILD)/compare: $(BUILD)/tests/compare.o
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
 
-$(BUILD)/%.o: %.cpp
+$(BUILD)/%.o: %.cpp $(BUILD)/settings
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(WARNINGS) $(CPPFLAGS) -MMD -MP -c $< -o $@
+	$(COMPILE) -MMD -MP -c $< -o $@
+
+# Written anew when the command to compile has changed: all that was made by another is then out of date.
+COMPILE = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(WARNINGS) -Icommon $(CPPFLAGS)
+$(BUILD)/settings: always
+	@mkdir -p $(@D)
+	@echo '$(COMPILE) $(LDFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(LDFLAGS)' > $@
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/run
@@ -62,7 +73,7 @@ $(BUILD)/bench: $(BUILD)/tests/bench.o $(COMMON)
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ $(LAPACK) -o $@
 
 format-check:
-	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h tests/*.cpp
+	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*.cpp
 
 figures: all
 	BIN=$(BIN) tests/figures
@@ -71,6 +82,6 @@ references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/run --rewrite
 
 clean:
-	rm -rf build workbench renderer
+	rm -rf $(BUILD) $(BIN)/workbench $(BIN)/renderer
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

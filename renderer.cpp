@@ -1,8 +1,9 @@
 // Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo and writes the picture to standard output.
-#include "common/portable_math.h"
+#include "numerics/portable_math.h"
 
-#include "common/command_line.h"
-#include "common/render.h"
+#include "command_line.h"
+#include "scene/desert.h"
+#include "scene/render.h"
 
 #include <unistd.h>
 

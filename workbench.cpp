@@ -1,8 +1,9 @@
 // Prints the error tables of Monte Carlo against Bayesian Monte Carlo, and the reports on cost, models and stability.
-#include "common/portable_math.h"
+#include "numerics/portable_math.h"
 
-#include "common/command_line.h"
-#include "common/reports.h"
+#include "command_line.h"
+#include "experiments/reports.h"
+#include "scene/desert.h"
 
 #include <cstdio>
 

@@ -1,8 +1,8 @@
 // What the two programs share at their edge: options on getopt_long, errors, exit statuses and standard output.
 #pragma once
 
-#include "covariance.h"
-#include "quadrature.h"
+#include "quadrature/covariance.h"
+#include "quadrature/quadrature.h"
 
 #include <cstdint>
 #include <functional>

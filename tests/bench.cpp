@@ -1,6 +1,6 @@
 // Times the two hot paths against plain versions of the same loops, in one run: absolute times vary with the machine,
 // the ratios hardly do. Not a test: what it prints differs from run to run.
-#include "../common/portable_math.h"
+#include "numerics/portable_math.h"
 
 #include <sys/resource.h>
 
@@ -10,8 +10,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "../common/gaussian_process.h"
-#include "../common/tradeoff.h"
+#include "experiments/tradeoff.h"
+#include "quadrature/gaussian_process.h"
+#include "scene/desert.h"
 
 #ifdef COMPARE_LAPACK
 extern "C" {

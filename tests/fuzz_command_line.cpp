@@ -1,9 +1,10 @@
 // libFuzzer: any words, one a line, are a request that the programs can carry out, or a UsageError.
-#include "../common/portable_math.h"
+#include "numerics/portable_math.h"
 
-#include "../common/command_line.h"
-#include "../common/render.h"
-#include "../common/reports.h"
+#include "command_line.h"
+#include "experiments/reports.h"
+#include "scene/desert.h"
+#include "scene/render.h"
 
 #include <getopt.h>
 #include <unistd.h>

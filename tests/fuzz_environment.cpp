@@ -1,5 +1,6 @@
 // libFuzzer: any bytes are a map of radiances or an error of one line.
-#include "../common/environment.h"
+#include "scene/environment.h"
+#include "scene/radiance_hdr.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
-#include "../common/cholesky.h"
+#include "numerics/cholesky.h"
 
-#include "../common/gaussian_process.h"
-#include "../common/hemisphere.h"
+#include "quadrature/gaussian_process.h"
+#include "quadrature/hemisphere.h"
 
 #include <doctest/doctest.h>
 

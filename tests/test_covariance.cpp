@@ -1,6 +1,6 @@
-#include "../common/covariance.h"
+#include "quadrature/covariance.h"
 
-#include "../common/hemisphere.h"
+#include "quadrature/hemisphere.h"
 
 #include <doctest/doctest.h>
 

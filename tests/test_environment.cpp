@@ -1,5 +1,5 @@
-#include "../common/environment.h"
-#include "../common/random.h"
+#include "numerics/random.h"
+#include "scene/environment.h"
 
 #include <doctest/doctest.h>
 
@@ -37,44 +37,7 @@ std::string construction_error(int width, int height, std::vector<float> rgb) {
     return "";
 }
 
-EnvironmentMap read(const std::string& file) {
-    std::istringstream in(file);
-    return read_radiance_hdr(in);
-}
-
-std::string reading_error(const std::string& file) {
-    try {
-        read(file);
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
-}
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::string bytes(const std::vector<int>& values) {
-    std::string text;
-    for (const int value : values) text += static_cast<char>(static_cast<unsigned char>(value));
-    return text;
-}
-
-std::string header(const std::string& size) { return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n"; }
-
-std::vector<float> values(const EnvironmentMap& map) {
-    return std::vector<float>(map.texels(), map.texels() + 3 * map.width() * map.height());
-}
-
-// A new-style component of 8 texels: three times 128, then the five bytes given.
-std::vector<int> component(int a, int b, int c, int d, int e) { return {131, 128, 5, a, b, c, d, e}; }
-
-std::string new_style_scanline() {
-    std::vector<int> scanline{2, 2, 0, 8};
-    for (const std::vector<int>& part : {component(1, 2, 3, 4, 5), component(6, 7, 8, 9, 10),
-                                         component(255, 254, 253, 252, 251), std::vector<int>{136, 136}})
-        scanline.insert(scanline.end(), part.begin(), part.end());
-    return bytes(scanline);
-}
 
 }  // namespace
 
@@ -82,7 +45,7 @@ TEST_CASE("an environment map returns the texels that it was given") {
     const EnvironmentMap map(2, 1, {1, 2, 3, 4, 5, 6});
     CHECK(map.width() == 2);
     CHECK(map.height() == 1);
-    CHECK(values(map) == std::vector<float>{1, 2, 3, 4, 5, 6});
+    CHECK(std::vector<float>(map.texels(), map.texels() + 6) == std::vector<float>{1, 2, 3, 4, 5, 6});
     const Color ahead = map.radiance({0, 0, -1});
     CHECK(ahead.x == 1);
     CHECK(ahead.y == 2);
@@ -173,133 +136,4 @@ TEST_CASE("the lookup gives the same texels in a vectorised loop as one by one")
     bool same = true;
     for (std::size_t i = 0; i < x.size(); ++i) same = same && map.radiance({x[i], y[i], z[i]}).x == index[i];
     CHECK(same);
-}
-
-TEST_CASE("the built-in environment is a picture of 1024 x 512 radiances in [0, 1], well exposed and always the same") {
-    const std::vector<float> first = values(built_in_environment());
-    REQUIRE(first.size() == 3 * 1024 * 512);
-    CHECK(first == values(built_in_environment()));
-    CHECK(*std::min_element(first.begin(), first.end()) >= 0);
-    CHECK(*std::max_element(first.begin(), first.end()) <= 1);
-    double sum = 0;
-    for (const float value : first) sum += value;
-    const double mean = sum / static_cast<double>(first.size());
-    CHECK(mean > 0.35);
-    CHECK(mean < 0.5);
-}
-
-TEST_CASE("the built-in environment has blue sky above, sand below, a sun and an arch of red rock around -z") {
-    const EnvironmentMap desert = built_in_environment();
-    const Color up = desert.radiance({0, 1, 0}), down = desert.radiance({0, -1, 0});
-    CHECK(up.z > up.x);
-    CHECK(down.x > down.z);
-    CHECK(desert.radiance({0.8, 0.48, 0.36}).x > 0.95);
-    const Color crown = desert.radiance(normalize({0, 0.51, -1})), inside = desert.radiance(normalize({0, 0.3, -1}));
-    CHECK(crown.x > 2 * crown.z);
-    CHECK(inside.z > inside.x);
-}
-
-TEST_CASE("a flat Radiance picture decodes to mantissa * 2^(exponent - 136)") {
-    const EnvironmentMap map = read(header("-Y 2 +X 2") + bytes({128, 64, 1, 129, 255, 255, 255, 136,  //
-                                                                 200, 100, 50, 0, 255, 1, 0, 255}));
-    CHECK(map.width() == 2);
-    CHECK(map.height() == 2);
-    CHECK(values(map) == std::vector<float>{1.0f, 0.5f, 0x1p-7f, 255, 255, 255, 0, 0, 0, 0x1.fep126f, 0x1p119f, 0});
-}
-
-TEST_CASE("the smallest exponent decodes exactly, to subnormal numbers") {
-    const EnvironmentMap map = read(header("-Y 1 +X 1") + bytes({255, 1, 128, 1}));
-    CHECK(values(map) == std::vector<float>{255 * 0x1p-135f, 0x1p-135f, 0x1p-128f});
-}
-
-TEST_CASE("new-style scanlines decode runs and literals of each component") {
-    const EnvironmentMap map = read(header("-Y 2 +X 8") + new_style_scanline() + new_style_scanline());
-    std::vector<float> expected;
-    for (int row = 0; row < 2; ++row) {
-        expected.insert(expected.end(), 9, 128.0f);
-        for (int i = 0; i < 5; ++i)
-            for (const int value : {1 + i, 6 + i, 255 - i}) expected.push_back(static_cast<float>(value));
-    }
-    CHECK(values(map) == expected);
-}
-
-TEST_CASE("old-style scanlines repeat a texel, with counts of more than one byte") {
-    const std::string texel = bytes({128, 129, 130, 136}), other = bytes({7, 8, 9, 136});
-    // 520 = 1 + 6 + 2 * 256 + 1 = 1 + 2 + 1 + 4 + 2 * 256
-    const std::string row_0 = texel + bytes({1, 1, 1, 6, 1, 1, 1, 2}) + other;
-    const std::string row_1 = other + bytes({1, 1, 1, 2}) + texel + bytes({1, 1, 1, 4, 1, 1, 1, 2});
-    const EnvironmentMap map = read(header("-Y 2 +X 520") + row_0 + row_1);
-    std::vector<float> expected;
-    for (int i = 0; i < 1040; ++i) {
-        const std::vector<float> rgb =
-            i < 519 || i >= 523 ? std::vector<float>{128, 129, 130} : std::vector<float>{7, 8, 9};
-        expected.insert(expected.end(), rgb.begin(), rgb.end());
-    }
-    CHECK(values(map) == expected);
-}
-
-TEST_CASE("a picture that begins like a new-style scanline but is too narrow for one is flat") {
-    const EnvironmentMap map = read(header("-Y 1 +X 2") + bytes({2, 2, 0, 136, 2, 2, 2, 136}));
-    CHECK(values(map) == std::vector<float>{2, 2, 0, 2, 2, 2});
-}
-
-TEST_CASE("headers may end their lines with CRLF, carry other variables, lack a format, and be followed by anything") {
-    const std::string texel = bytes({1, 2, 3, 136});
-    for (const std::string& file : {"#?RGBE\r\n# comment\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" + texel,
-                                    "#?RADIANCE\nEXPOSURE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel + "garbage"})
-        CHECK(values(read(file)) == std::vector<float>{1, 2, 3});
-}
-
-TEST_CASE("what is not a Radiance picture is refused with the first line that it should have") {
-    for (const std::string file : {"", "#", "P6\n1 1\n255\n", "#?RADIANT\n\n-Y 1 +X 1\n", "RADIANCE\n"}) {
-        CAPTURE(file);
-        CHECK(contains(reading_error(file), "first line should be #?RADIANCE or #?RGBE"));
-    }
-}
-
-TEST_CASE("formats, orientations and sizes that are not supported are named") {
-    const std::string xyze = "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n";
-    CHECK(contains(reading_error(xyze), "'32-bit_rle_xyze' is not supported"));
-    CHECK(contains(reading_error(header("+Y 1 +X 1")), "'+Y 1 +X 1' is not supported, only '-Y height +X width'"));
-    CHECK(contains(reading_error(header("+X 1 -Y 1")), "'+X 1 -Y 1'"));
-    CHECK(contains(reading_error(header("-Y 1 +X 1 2")), "'-Y 1 +X 1 2'"));
-    CHECK(contains(reading_error(header("\x1b[2J\x01\xff")), "'?[2J?"));
-    CHECK(contains(reading_error(header("-Y 0 +X 1")), "size '0'"));
-    CHECK(contains(reading_error(header("-Y 1 +X -5")), "size '-5'"));
-    CHECK(contains(reading_error(header("-Y 1 +X")), "size ''"));
-    CHECK(contains(reading_error(header("-Y 1 +X 12px")), "size '12px'"));
-    CHECK(contains(reading_error(header("-Y 99999999999999999999 +X 1")), "size '99999999999999999999'"));
-    CHECK(contains(reading_error(header("-Y 8193 +X 8192")), "exceeds the limit of 67108864 texels"));
-}
-
-TEST_CASE("headers that do not end are refused") {
-    CHECK(contains(reading_error("#?RADIANCE\nFORMAT="), "ends inside the header"));
-    CHECK(contains(reading_error("#?RADIANCE\n\n-Y 1 +X 1"), "ends inside the header"));
-    CHECK(contains(reading_error("#?" + std::string(5000, 'x')), "longer than 4096"));
-    std::string lines = "#?RADIANCE\n";
-    for (int i = 0; i < 2000; ++i) lines += "y\n";
-    CHECK(contains(reading_error(lines), "more than 1000 lines"));
-}
-
-TEST_CASE("a picture that is cut anywhere is refused, and within the picture the row is named") {
-    const std::string start = header("-Y 2 +X 8"), file = start + new_style_scanline() + new_style_scanline();
-    bool refused = true;
-    for (std::size_t length = 0; length < file.size(); ++length)
-        refused = refused && !reading_error(file.substr(0, length)).empty();
-    CHECK(refused);
-    CHECK(reading_error(start) == "row 0: the file ends inside a scanline");
-    CHECK(reading_error(file.substr(0, file.size() - 1)) == "row 1: the file ends inside a scanline");
-    CHECK(reading_error(header("-Y 8192 +X 8192") + bytes({9, 9, 9, 136})) == "row 0: the file ends inside a scanline");
-}
-
-TEST_CASE("runs that do not fit their scanline are refused") {
-    const std::string wide = header("-Y 1 +X 8"), narrow = header("-Y 1 +X 2"), texel = bytes({9, 9, 9, 136});
-    CHECK(reading_error(wide + bytes({2, 2, 0, 8, 137, 1})) == "row 0: a run goes past the end of the scanline");
-    CHECK(reading_error(wide + bytes({2, 2, 0, 8, 9, 1})) == "row 0: a run goes past the end of the scanline");
-    CHECK(reading_error(wide + bytes({2, 2, 0, 8, 0, 1})) == "row 0: a run of length 0");
-    CHECK(reading_error(wide + bytes({2, 2, 0, 9})) == "row 0: the scanline announces 9 texels instead of 8");
-    CHECK(reading_error(narrow + texel + bytes({1, 1, 1, 2})) == "row 0: a run goes past the end of the scanline");
-    CHECK(contains(reading_error(narrow + bytes({1, 1, 1, 2})), "row 0: the scanline begins with a run"));
-    const std::string no_texels = bytes({1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0});
-    CHECK(reading_error(narrow + texel + no_texels) == "row 0: a run goes past the end of the scanline");
 }

@@ -1,4 +1,4 @@
-#include "../common/error_table.h"
+#include "experiments/error_table.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "../common/gaussian_process.h"
+#include "quadrature/gaussian_process.h"
 
-#include "../common/hemisphere.h"
+#include "quadrature/hemisphere.h"
 
 #include <doctest/doctest.h>
 

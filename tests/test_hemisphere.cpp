@@ -1,4 +1,4 @@
-#include "../common/hemisphere.h"
+#include "quadrature/hemisphere.h"
 
 #include <doctest/doctest.h>
 

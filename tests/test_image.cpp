@@ -1,4 +1,4 @@
-#include "../common/image.h"
+#include "scene/image.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "../common/integrands.h"
+#include "experiments/integrands.h"
 
 #include <doctest/doctest.h>
 

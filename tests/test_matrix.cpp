@@ -1,4 +1,4 @@
-#include "../common/matrix.h"
+#include "numerics/matrix.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "../common/models.h"
+#include "experiments/models.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "../common/portable_math.h"
+#include "numerics/portable_math.h"
 
-#include "../common/random.h"
+#include "numerics/random.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "../common/quadrature.h"
+#include "quadrature/quadrature.h"
 
-#include "../common/gaussian_process.h"
+#include "quadrature/gaussian_process.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "../common/random.h"
+#include "numerics/random.h"
 
 #include <doctest/doctest.h>
 

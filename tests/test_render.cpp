@@ -1,7 +1,8 @@
-#include "../common/render.h"
+#include "scene/desert.h"
+#include "scene/render.h"
 
-#include "../common/gaussian_process.h"
-#include "../common/tradeoff.h"
+#include "experiments/tradeoff.h"
+#include "quadrature/gaussian_process.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "../common/reports.h"
+#include "experiments/reports.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "../common/scene.h"
+#include "scene/scene.h"
 
-#include "../common/hemisphere.h"
+#include "quadrature/hemisphere.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "../common/stability.h"
+#include "experiments/stability.h"
 
-#include "../common/gaussian_process.h"
+#include "quadrature/gaussian_process.h"
 
 #include <doctest/doctest.h>
 

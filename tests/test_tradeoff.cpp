@@ -1,4 +1,5 @@
-#include "../common/tradeoff.h"
+#include "experiments/tradeoff.h"
+#include "scene/desert.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "../common/vec3.h"
+#include "numerics/vec3.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,40 @@
+// The practice's experiment: the mean absolute error of Monte Carlo and of Bayesian Monte Carlo against the number of
+// samples.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "experiments/integrands.h"
+#include "quadrature/covariance.h"
+
+struct ErrorSettings {
+    std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
+    std::size_t mc_estimates = 100;
+    std::size_t bmc_estimates = 10;
+    Placement placement = Placement::uniform;
+    double noise = 0.01;
+    Prior prior;
+    std::uint64_t seed = 1;
+};
+
+// One number of samples n: mean absolute errors of Monte Carlo, of Bayesian Monte Carlo with the covariance and with
+// the rival covariance, and the mean standard error that the first predicts.
+struct ErrorRow {
+    std::size_t samples;
+    double mc_error;
+    double bmc_error;
+    double bmc_predicted;
+    double rival_error;
+
+    // How many times smaller the error of Bayesian Monte Carlo is.
+    double gain() const;
+
+    // Samples with which Monte Carlo would have that error: its error falls as 1 / sqrt(n).
+    double equivalent_mc_samples() const { return static_cast<double>(samples) * gain() * gain(); }
+};
+
+// The error table of one integrand. Every estimate has a fresh set of directions; estimate e uses the same set in every
+// column, so that the columns differ by method and not by luck.
+std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& covariance, const Covariance& rival,
+                                  const ErrorSettings& settings);

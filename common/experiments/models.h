@@ -1,0 +1,38 @@
+// Which model an integrand requires: covariance, its parameter and the noise, judged by the error, which needs the
+// truth, and by the evidence and the leave-one-out error, which do not.
+#pragma once
+
+#include "experiments/integrands.h"
+#include "quadrature/covariance.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+// A covariance with the name and the parameter that a report prints.
+struct Model {
+    std::string name;
+    double parameter;
+    std::shared_ptr<const Covariance> covariance;
+};
+
+// Sobolev s = 1.1, 1.25, 1.4, 1.5, 1.8; squared-exponential l = 0.25, 0.5, 1, 2.
+std::vector<Model> compared_models();
+
+struct ModelRow {
+    Model model;
+    double noise;
+    double rmse;           // of the estimates, over all integrands and sample sets
+    double predicted;      // root mean square of the predicted standard errors
+    double coverage;       // fraction of errors within two predicted standard errors
+    double log_evidence;   // per sample
+    double leave_one_out;  // root mean square of the leave-one-out residuals
+    double amplification;  // mean of the sum of |w| over 2 pi: what errors in the samples grow by
+};
+
+// The model on so many fresh uniform sets of n directions, over all the integrands.
+ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
+               std::size_t sets);
+
+// Root mean square error of Monte Carlo on the same sets.
+double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);

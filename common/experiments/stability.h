@@ -1,0 +1,45 @@
+// Where the arithmetic of a Gaussian process breaks: condition numbers and residuals over the extremes of the number of
+// samples, the noise, the covariance and the sample set.
+#pragma once
+
+#include "experiments/models.h"
+#include "numerics/cholesky.h"
+
+#include <string>
+#include <vector>
+
+enum class SampleSet { random, duplicates, equator, pole, cluster };
+
+const char* name_of(SampleSet set);
+
+// n directions: random and uniform; half as many, each of them twice; all on the rim; all at the pole; all within 1e-8
+// of one direction.
+std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
+
+// What LAPACK's test programs look at: residuals divided by what backward stable arithmetic leaves, so that a few at
+// most are right whatever the condition number (LAPACK accepts up to 30).
+struct Residuals {
+    double factor;     // |A - L L^T| / (n eps |A|)
+    double inverse;    // |I - A A^-1| / (n eps |A| |A^-1|)
+    double condition;  // |A| |A^-1|; all norms are row_sum_norm
+};
+
+// The residuals of a factored symmetric matrix, given by its upper triangle.
+Residuals residuals_of(const Matrix& upper_triangle, const Cholesky& cholesky, const Matrix& inverse);
+
+struct StabilityRow {
+    SampleSet set;
+    std::size_t samples;
+    Model model;
+    double noise;
+    std::string refusal;  // why the covariance matrix was refused; then the numbers below are not set
+    Residuals residuals;
+    double weight_difference;  // largest difference of the weights by solve and by inverse, over the largest weight
+    double absolute_weights;   // sum of |w|
+    double cosine_error;       // of the estimate of the integral of cos(theta)
+};
+
+StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double noise);
+
+// The sweeps: samples and noise; covariance and noise; sample set and noise.
+std::vector<StabilityRow> stability_rows();

@@ -1,0 +1,51 @@
+// The Cholesky factorisation A = L L^T of a symmetric positive definite matrix (Golub & Van Loan, "Matrix
+// Computations", section 4.2): solutions, the inverse and the determinant follow from it.
+//
+// The factor is kept as U = L^T, row by row. Every element is computed by the rule
+//     u_kj = (a_kj - u_0k u_0j - u_1k u_1j - ... - u_(k-1)k u_(k-1)j) / u_kk,   terms subtracted in that order,
+// with the loop over j innermost: neighbouring j are independent, so the compiler may compute them side by side and no
+// sum is ever reordered. That is why the result has the same bits for any vector width.
+#pragma once
+
+#include "numerics/matrix.h"
+
+#include <stdexcept>
+#include <vector>
+
+// Thrown where a pivot does not exceed the rounding error that it carries: in double precision the matrix is not
+// positive definite. The pivot of row k is a_kk less k squares, none larger than a_kk, so that error is about (k + 1)
+// eps a_kk (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, section 10.1).
+struct NotPositiveDefinite : std::runtime_error {
+    NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double rounding_error);
+
+    std::size_t index;  // row of the pivot, from 0
+    double value;
+};
+
+class Cholesky {
+public:
+    // Factors the symmetric n x n matrix a, reading its upper triangle only.
+    // Throws std::invalid_argument if a is not square, NotPositiveDefinite.
+    explicit Cholesky(Matrix a);
+
+    std::size_t size() const { return upper_.rows(); }
+
+    // U = L^T: upper triangular, zero below the diagonal.
+    const Matrix& upper() const { return upper_; }
+
+    // y with L y = b: the first half of a solution; |y|^2 = b^T A^-1 b.
+    std::vector<double> solve_lower(std::vector<double> b) const;
+
+    // x with A x = b. b has n elements.
+    std::vector<double> solve(std::vector<double> b) const;
+
+    // A^-1, n x n: column j solves A x = e_j, so that its residual is as small as that of a solution; symmetric but for
+    // rounding.
+    Matrix inverse() const;
+
+    // ln det A.
+    double log_determinant() const;
+
+private:
+    Matrix upper_;
+};

@@ -1,0 +1,254 @@
+#include "numerics/portable_math.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace portable {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// ln 2 = ln2_hi + ln2_lo. ln2_hi has 32 bits, so that k * ln2_hi is exact for every binary exponent k.
+constexpr double ln2_hi = 0x1.62e42feep-1;
+constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
+
+std::uint64_t bits_of(double x) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+double from_bits(std::uint64_t bits) {
+    double x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+// 2^k for -1022 <= k <= 1023.
+double power_of_two(int k) { return from_bits(static_cast<std::uint64_t>(1023 + k) << 52); }
+
+// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
+template <std::size_t N>
+double polynomial(const double (&c)[N], double x) {
+    double sum = c[N - 1];
+    for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + c[i];
+    return sum;
+}
+
+// x with only the leading bits of its significand: a product is exact if the bits of its factors add up to 53 or less.
+template <int bits>
+double leading_bits(double x) {
+    return from_bits(bits_of(x) & ~((std::uint64_t{1} << (53 - bits)) - 1));
+}
+
+// The unevaluated sum hi + lo of two doubles, which holds more digits than one.
+struct Sum {
+    double hi;
+    double lo;
+};
+
+// a + b without error, if a = 0 or the binary exponent of a is at least that of b (Dekker, "A floating-point technique
+// for extending the available precision", Numerische Mathematik 18, 1971).
+Sum fast_two_sum(double a, double b) {
+    const double sum = a + b;
+    return {sum, (a - sum) + b};
+}
+
+// a * b, relative error below 2^-75: the product of 26 bits by 26 is exact, and the rest is 2^-24 of it.
+Sum product(const Sum& a, const Sum& b) {
+    const double a_hi = leading_bits<26>(a.hi);
+    const double b_hi = leading_bits<26>(b.hi);
+    const double a_lo = (a.hi - a_hi) + a.lo;
+    const double b_lo = (b.hi - b_hi) + b.lo;
+    return {a_hi * b_hi, a_hi * b_lo + a_lo * (b_hi + b_lo)};
+}
+
+// e^(hi + lo) for |lo| <= ulp(hi), as 2^k e^r with |r| <= ln(2) / 2.
+// e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!), cut off below 2^-57; the even and the odd powers are summed apart
+// because two short chains of dependent operations run side by side.
+double exp_of_sum(double hi, double lo) {
+    constexpr double even[] = {1.0 / 2, 1.0 / 24, 1.0 / 720, 1.0 / 40320, 1.0 / 3628800, 1.0 / 479001600};
+    constexpr double odd[] = {1.0 / 6, 1.0 / 120, 1.0 / 5040, 1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800};
+    constexpr double inverse_ln2 = 0x1.71547652b82fep+0;
+    if (!(hi < 710)) return hi + infinity;  // nan stays nan
+    if (hi < -746) return 0;
+
+    const double k = std::floor(hi * inverse_ln2 + 0.5);
+    const Sum r = fast_two_sum(hi - k * ln2_hi, lo - k * ln2_lo);
+    const double square = r.hi * r.hi;
+    const double tail = square * (polynomial(even, square) + r.hi * polynomial(odd, square));
+    const Sum linear = fast_two_sum(1, r.hi);
+    const double mantissa = linear.hi + (linear.lo + (r.lo * linear.hi + tail));
+
+    // Two steps, since 2^k alone can be too small or too large for a double although the result is not.
+    const int exponent = static_cast<int>(k);
+    const int half = exponent / 2;
+    return mantissa * power_of_two(half) * power_of_two(exponent - half);
+}
+
+// x = 2^exponent * significand with lower_bound <= significand < 2 lower_bound, for finite x > 0 and a lower bound in
+// [1/2, 1].
+struct Decomposition {
+    double exponent;
+    double significand;
+};
+
+Decomposition decompose(double x, double lower_bound) {
+    constexpr std::uint64_t one = std::uint64_t{1023} << 52;
+    const bool subnormal = x < DBL_MIN;
+    const std::uint64_t bits = bits_of(subnormal ? x * 0x1p54 : x);
+    const std::uint64_t biased = (bits - bits_of(lower_bound) + one) >> 52;  // exponent + 1023, which is positive
+    const double exponent = static_cast<double>(static_cast<int>(biased) - (subnormal ? 1023 + 54 : 1023));
+    return {exponent, from_bits(bits - (biased << 52) + one)};
+}
+
+// (3/2) ln x for finite x > 0, relative error about 2^-64. x = 2^k m, and c = 1 or 3/2 is near m. With
+// s = (m - c) / (m + c), |s| <= 0.1011: (3/2) ln(m/c) = 3 artanh s = 3 s + s^3 + s^5 (3/5 + 3/7 s^2 + ... + 3/19 s^14),
+// cut off below 2^-70. Thanks to the factor 3 the first two terms are exact for a short s_hi in s = s_hi + s_lo; the
+// others are so small that plain doubles do for them.
+Sum three_halves_log(double x) {
+    constexpr double even[] = {3.0 / 5, 3.0 / 9, 3.0 / 13, 3.0 / 17};
+    constexpr double odd[] = {3.0 / 7, 3.0 / 11, 3.0 / 15, 3.0 / 19};
+    // (3/2) ln 2 and (3/2) ln c, split like ln 2 above. A table, since a branch here would be mispredicted.
+    constexpr Sum log_two = {0x1.0a2b23f200000p+0, 0x1.bab73681aed59p-32};
+    constexpr Sum log_centre[] = {{0, 0}, {0x1.3765af1800000p-1, 0x1.f6471ec11d432p-34}};
+    constexpr double centre[] = {1, 1.5};
+    const auto [k, m] = decompose(x, 0x1.bb67ae8584caap-1);  // sqrt(3)/2
+    const int nearest = m > 0x1.3988e1409212ep+0;            // sqrt(3/2)
+    const double c = centre[nearest];
+
+    // The remainder of the division is exact, since s_hi has 17 bits and denominator_hi 26.
+    const double inverse = 1 / (m + c);
+    const double s = (m - c) * inverse;
+    const double s_hi = leading_bits<17>(s);
+    const double denominator_hi = leading_bits<26>(m + c);
+    const double denominator_lo = m - (denominator_hi - c);
+    const double s_lo = (((m - c) - s_hi * denominator_hi) - s_hi * denominator_lo) * inverse;
+
+    const double z = s * s;
+    const double fourth = z * z;
+    const double tail = s * fourth * (polynomial(even, fourth) + z * polynomial(odd, fourth));
+    const double cube_lo = s_lo * (3 * s_hi * s + s_lo * s_lo);  // s^3 - s_hi^3
+
+    const Sum linear = fast_two_sum(k * log_two.hi + log_centre[nearest].hi, 3 * s_hi);
+    const Sum cubic = fast_two_sum(linear.hi, s_hi * s_hi * s_hi);
+    const double rest = (tail + cube_lo) + (k * log_two.lo + log_centre[nearest].lo);
+    return fast_two_sum(cubic.hi, cubic.lo + (linear.lo + (3 * s_lo + rest)));
+}
+
+}  // namespace
+
+double exp(double x) { return exp_of_sum(x, 0); }
+
+double log(double x) {
+    if (!(x > 0)) return x == 0 ? -infinity : nan;
+    if (x == infinity) return x;
+    // With s = f / (2 + f), |s| <= 0.1716: ln(1 + f) = 2 artanh s = 2 s + s R, R = 2/3 s^2 + 2/5 s^4 + ... + 2/21 s^20,
+    // cut off below 2^-60. Since 2 s = f - s f = f - f^2/2 + s f^2/2, the exact f bears most of the sum (fdlibm,
+    // e_log.c, 1993).
+    constexpr double even[] = {2.0 / 3, 2.0 / 7, 2.0 / 11, 2.0 / 15, 2.0 / 19};
+    constexpr double odd[] = {2.0 / 5, 2.0 / 9, 2.0 / 13, 2.0 / 17, 2.0 / 21};
+    const auto [k, m] = decompose(x, 0x1.6a09e667f3bcdp-1);  // sqrt(1/2)
+    const double f = m - 1;
+    const double s = f / (2 + f);
+    const double z = s * s;
+    const double fourth = z * z;
+    const double R = z * (polynomial(even, fourth) + z * polynomial(odd, fourth));
+    const double half_square = 0.5 * f * f;
+    return k * ln2_hi + (f - (half_square - (s * (half_square + R) + k * ln2_lo)));
+}
+
+double pow(double x, double y) {
+    if (x == 1 || y == 0) return 1;
+    if (!(x >= 0) || y != y) return nan;
+    // No double but 1 has |ln x| < 2^-54, so these powers all overflow or underflow.
+    if (x == 0 || x == infinity || std::fabs(y) > 0x1p64) return (x > 1) == (y > 0) ? infinity : 0;
+    constexpr Sum two_thirds = {2.0 / 3, 2.0 / 3 * 0x1p-54};
+    const Sum exponent = product(three_halves_log(x), product({y, 0}, two_thirds));
+    return exp_of_sum(exponent.hi, exponent.lo);
+}
+
+SineCosine sincos_turns(double turns) {
+    // (sin x - x) / x^3 and (cos x - 1 + x^2/2) / x^4 as polynomials in x^2, cut off below 2^-62 for |x| <= pi/4.
+    constexpr double sine_tail[] = {-1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
+                                    -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
+    constexpr double cosine_tail[] = {
+        1.0 / 24,        -1.0 / 720,         1.0 / 40320,          -1.0 / 3628800,
+        1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
+    // 2 pi = two_pi_hi + two_pi_lo; two_pi_hi has 26 bits.
+    constexpr double two_pi_hi = 0x1.921fb5p+2;
+    constexpr double two_pi_lo = 0x1.110b4611a6263p-24;
+
+    double fraction = turns;
+    if (!(std::fabs(turns) < 1))
+        fraction = turns - std::floor(turns);  // exact; not so for small negative numbers, hence the condition
+    if (fraction != fraction) return {nan, nan};
+    // Octants 2q - 1 and 2q belong to quadrant q. Rounding 4 * fraction instead would err beside the odd eighths.
+    const int octant = static_cast<int>(std::floor(8 * fraction)) + 8;
+    const int quadrant = (octant + 1) / 2 - 4;
+    const double t = fraction - 0.25 * quadrant;
+
+    const double t_hi = leading_bits<26>(t);
+    const Sum x = fast_two_sum(t_hi * two_pi_hi, t_hi * two_pi_lo + (t - t_hi) * (two_pi_hi + two_pi_lo));
+    const double square = x.hi * x.hi;
+    const Sum parabola = fast_two_sum(1, -0.5 * square);
+    const double sine = x.hi + (x.lo * parabola.hi + x.hi * square * polynomial(sine_tail, square));
+    const double cosine =
+        parabola.hi + (parabola.lo + (square * square * polynomial(cosine_tail, square) - x.hi * x.lo));
+
+    const bool swapped = quadrant & 1;
+    const double first = swapped ? cosine : sine;
+    const double second = swapped ? sine : cosine;
+    return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
+}
+
+#ifdef UNGUARDED_ARITHMETIC
+void check_arithmetic() {}
+#else
+namespace {
+
+void require(bool holds, const std::string& found, const std::string& remedy) {
+    if (!holds) throw std::runtime_error("the output would differ from the references: " + found + "; " + remedy);
+}
+
+}  // namespace
+
+// The operands are volatile so that the compiler cannot compute the answers itself, by its own rules.
+void check_arithmetic() {
+    volatile double one = 1;
+    volatile double minus_one = -1;
+    volatile double above_one = 1 + 0x1p-30;
+    volatile double below_one = 1 - 0x1p-30;
+    volatile double quarter_ulp = 0x1p-54;
+    volatile double three_quarter_ulp = 3 * 0x1p-54;
+    volatile double smallest_normal = DBL_MIN;
+    volatile double smallest_subnormal = 0x1p-1074;
+    volatile double half = 0.5;
+    volatile double huge = 0x1p1023;
+
+    const double rounded_up = one + quarter_ulp;
+    const double rounded_down = one + three_quarter_ulp;
+    require(rounded_up == 1 && rounded_down == 1 + DBL_EPSILON, "the rounding mode is not to nearest",
+            "restore it with fesetround(FE_TONEAREST)");
+
+    const double large = one;
+    require((large + quarter_ulp) - large == 0, "a sum keeps more bits than a double has, or was reordered",
+            "compile with -msse2 -mfpmath=sse on 32-bit x86, and without -ffast-math and -fassociative-math");
+
+    // (1 + 2^-30)(1 - 2^-30) rounds to 1; a fused operation would keep the -2^-60.
+    require(above_one * below_one + minus_one == 0, "a * b + c is contracted to a fused multiply-add",
+            "compile with -ffp-contract=off");
+
+    // The product of the smallest subnormal number is 0 if subnormal operands are taken for 0.
+    require(bits_of(smallest_normal * half) != 0 && smallest_subnormal * huge == 0x1p-51,
+            "subnormal numbers are flushed to zero", "link without -ffast-math and -Ofast, and do not set FTZ or DAZ");
+}
+#endif
+
+}  // namespace portable

@@ -1,0 +1,23 @@
+// Three-dimensional vectors: points, directions, and colours as linear RGB.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <cmath>
+
+struct Vec3 {
+    double x = 0, y = 0, z = 0;
+};
+
+using Color = Vec3;  // linear RGB: radiance, or a unitless albedo
+
+inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 operator*(double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
+
+inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
+
+// The unit vector along v; v must not be zero.
+inline Vec3 normalize(Vec3 v) { return (1 / length(v)) * v; }

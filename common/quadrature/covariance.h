@@ -1,0 +1,80 @@
+// Covariance functions on the sphere and their exact integrals over the hemisphere.
+//
+// A covariance k depends on two directions through the squared chord r^2 = |w - w'|^2 = 2 - 2 w.w' alone, so it is
+// invariant under rotation: rotating a set of directions about the up axis changes neither Q nor z. What Bayesian
+// quadrature needs of it is closed here, with no sampling (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf.
+// 1991):
+//     z(w)  = integral over H of k(w, w') p(w') dw',     zz = integral over H of z(w) p(w) dw,
+// where p is the known part of the integrand f p, and the Gaussian process models f alone.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <vector>
+
+// What is known of the integrand: p = 1, or p = cos(theta), which leaves only the incident radiance to be modelled.
+enum class KnownPart { nothing, cosine };
+
+class Covariance {
+public:
+    virtual ~Covariance() = default;
+
+    // k as a function of the squared chord, in [0, 4].
+    virtual double operator()(double squared_chord) const = 0;
+
+    // z of a direction with elevation cosine cos_theta in [0, 1].
+    // Throws std::invalid_argument for a known part with which this covariance has no closed form.
+    virtual double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const = 0;
+
+    // The same for arrays, in place: squared chords become covariances, elevation cosines become z. A Gaussian process
+    // spends its time here, and one call for many values lets a covariance of plain arithmetic compute them side by
+    // side.
+    virtual void covariances(std::vector<double>& squared_chords) const;
+    virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const;
+
+    // zz. Throws as hemisphere_integral does.
+    virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
+};
+
+// k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s: the reproducing kernel of the Sobolev space of smoothness s on the sphere,
+// up to equivalence of norms (Brauchart, Saff, Sloan & Womersley, "QMC designs", Mathematics of Computation 2014). It
+// models a function that is continuous but need not be smooth, as radiance is. The known part cos(theta) has a closed
+// form at s = 3/2.
+class Sobolev final : public Covariance {
+public:
+    // Smoothness s in (1, 2); at the default 3/2, k(r) = 8/3 - r and z is an elliptic integral.
+    // Throws std::invalid_argument for any other s.
+    explicit Sobolev(double smoothness = 1.5);
+
+    double operator()(double squared_chord) const override;
+    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
+    void covariances(std::vector<double>& squared_chords) const override;
+    void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
+    double double_integral(KnownPart known = KnownPart::nothing) const override;
+
+private:
+    bool has_closed_form() const { return nodes_.empty(); }
+    double rim_sum(double cos_theta) const;
+    void require_closed_form() const;
+
+    double exponent_;  // s - 1
+    double constant_;  // C
+    double double_integral_;
+    std::vector<double> nodes_;  // of the rim integral; empty at s = 3/2, which needs none
+};
+
+// k(r) = exp(-r^2 / 2 l^2), length-scale l: models a function with all derivatives.
+class SquaredExponential final : public Covariance {
+public:
+    // l in [0.05, inf). Throws std::invalid_argument below: there e^(-1 / l^2) heads for underflow, and samples no
+    // longer see one another.
+    explicit SquaredExponential(double length_scale = 1);
+
+    double operator()(double squared_chord) const override;
+    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
+    double double_integral(KnownPart known = KnownPart::nothing) const override;
+
+private:
+    double kappa_;      // 1 / l^2
+    double even_part_;  // pi (1 - e^(-2 kappa)) / kappa: what z has in common for every direction
+};

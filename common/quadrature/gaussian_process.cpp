@@ -1,0 +1,116 @@
+#include "quadrature/gaussian_process.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+double sum_of_products(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+}  // namespace
+
+std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
+                                         KnownPart known) {
+    std::vector<double> z;
+    z.reserve(directions.size());
+    for (const Vec3& direction : directions) {
+        if (!(direction.y >= 0))
+            throw std::invalid_argument("a direction lies below the horizon: its y is " + std::to_string(direction.y));
+        z.push_back(std::min(direction.y, 1.0));
+    }
+    covariance.hemisphere_integrals(z, known);
+    return z;
+}
+
+Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
+    if (directions.empty()) throw std::invalid_argument("a Gaussian process needs at least one direction");
+    if (!(noise >= 0 && std::isfinite(noise)))
+        throw std::invalid_argument("the noise must be at least 0; it is " + std::to_string(noise));
+    const std::size_t n = directions.size();
+    Matrix q(n, n);
+    std::vector<double> row;
+    for (std::size_t i = 0; i < n; ++i) {
+        row.resize(n - i);
+        for (std::size_t j = i; j < n; ++j) {
+            const Vec3 chord = directions[i] - directions[j];
+            row[j - i] = dot(chord, chord);
+        }
+        covariance.covariances(row);
+        row[0] += noise * noise;
+        std::copy(row.begin(), row.end(), q.row(i) + i);
+    }
+    return q;
+}
+
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior)
+    : directions_(std::move(directions)),
+      z_(hemisphere_integrals(covariance, directions_, prior.known)),
+      cholesky_(covariance_matrix(covariance, noise, directions_)),
+      weights_(cholesky_.solve(z_)),
+      variance_(std::max(0.0, covariance.double_integral(prior.known) - sum_of_products(z_, weights_))) {
+    if (prior.mean == PriorMean::uniform) add_uniform_light(prior.known);
+}
+
+void GaussianProcess::add_uniform_light(KnownPart known) {
+    std::vector<double> h;
+    for (const Vec3& direction : directions_) h.push_back(known == KnownPart::cosine ? 1 : direction.y);
+    light_ = cholesky_.solve(h);
+    light_information_ = sum_of_products(h, light_);
+    const double missing = portable::pi - sum_of_products(h, weights_);
+    variance_ += missing * missing / light_information_;
+    for (std::size_t i = 0; i < h.size(); ++i) weights_[i] += light_[i] * (missing / light_information_);
+}
+
+double GaussianProcess::integral(const std::vector<double>& values) const {
+    require_one_value_per_direction(values);
+    return sum_of_products(weights_, values);
+}
+
+double GaussianProcess::freedom() const {
+    const double n = static_cast<double>(directions_.size());
+    return light_.empty() ? n : std::max(1.0, n - 1);
+}
+
+double GaussianProcess::amplitude(const std::vector<double>& values) const {
+    require_one_value_per_direction(values);
+    const std::vector<double> whitened = cholesky_.solve_lower(values);
+    double squares = sum_of_products(whitened, whitened);
+    if (!light_.empty()) {
+        const double explained = sum_of_products(light_, values);
+        squares = std::max(0.0, squares - explained * explained / light_information_);
+    }
+    return std::sqrt(squares / freedom());
+}
+
+double GaussianProcess::standard_error(const std::vector<double>& values) const {
+    return amplitude(values) * std::sqrt(variance());
+}
+
+double GaussianProcess::log_evidence(const std::vector<double>& values) const {
+    const double light = light_.empty() ? 0 : portable::log(light_information_);
+    return -freedom() * portable::log(amplitude(values)) - 0.5 * (cholesky_.log_determinant() + light);
+}
+
+std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values) const {
+    require_one_value_per_direction(values);
+    const Matrix inverse = inverse_covariance();
+    std::vector<double> residuals = cholesky_.solve(values);
+    const double light = light_.empty() ? 0 : sum_of_products(light_, values) / light_information_;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        const double h = light_.empty() ? 0 : light_[i];
+        residuals[i] = (residuals[i] - h * light) / (inverse(i, i) - h * h / light_information_);
+    }
+    return residuals;
+}
+
+void GaussianProcess::require_one_value_per_direction(const std::vector<double>& values) const {
+    if (values.size() != directions_.size())
+        throw std::invalid_argument("a Gaussian process of " + std::to_string(directions_.size()) +
+                                    " directions was given " + std::to_string(values.size()) + " values");
+}

@@ -1,0 +1,123 @@
+// The built-in environment: radiance as a function of direction, in units of the brightest thing in the picture.
+#include "scene/desert.h"
+
+#include <cstdint>
+#include <fstream>
+#include <stdexcept>
+
+#include "scene/radiance_hdr.h"
+
+namespace {
+
+constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
+
+constexpr Color zenith{0.03, 0.17, 0.56}, horizon{0.72, 0.70, 0.66}, sand{0.58, 0.31, 0.14}, rock{0.62, 0.23, 0.10};
+
+double clamp01(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
+
+Color mix(Color a, Color b, double t) { return (1 - t) * a + t * b; }
+
+// 0 below -width / 2, 1 above width / 2. The default is one and a half texels, so that silhouettes do not alias.
+double edge(double distance, double width = 0.009) {
+    const double t = clamp01(distance / width + 0.5);
+    return t * t * (3 - 2 * t);
+}
+
+// Uniform in [0, 1) at every lattice point: a mixed product of large odd numbers.
+double lattice(int i, int j) {
+    std::uint32_t h = static_cast<std::uint32_t>(i) * 0x9e3779b1u ^ static_cast<std::uint32_t>(j) * 0x85ebca77u;
+    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+    h = (h ^ (h >> 12)) * 0x297a2d39u;
+    return (h ^ (h >> 15)) * 0x1p-32;
+}
+
+// Smooth noise in [0, 1) with features of size 1. The arguments stay below 1e6.
+double noise(double x, double y) {
+    const double floor_x = std::floor(x), floor_y = std::floor(y);
+    const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
+    const double s = edge(x - floor_x - 0.5, 1), t = edge(y - floor_y - 0.5, 1);
+    return (1 - t) * ((1 - s) * lattice(i, j) + s * lattice(i + 1, j)) +
+           t * ((1 - s) * lattice(i, j + 1) + s * lattice(i + 1, j + 1));
+}
+
+Color sky(Vec3 d) {
+    const double to_sun = clamp01(0.5 + 0.5 * dot(d, sun)), glow = to_sun * to_sun * to_sun * to_sun;
+    const double halo = 0.004 / (0.004 + (1 - to_sun));
+    const Color air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
+    const Color haze = mix(air, {1.0, 0.94, 0.84}, 0.8 * glow * std::sqrt(glow) + 0.2 * halo);
+    return mix(haze, {1.0, 0.98, 0.92}, edge(to_sun - 0.9981, 0.001));  // a disc of radius 5 degrees
+}
+
+// Dunes on a plane one unit below the eye; haze swallows them with distance.
+Color ground(Vec3 d) {
+    const double distance = 1 / (0.01 - d.y);
+    const double x = 0.6 * distance * d.x, z = 0.6 * distance * d.z;
+    const double slope = noise(x + 0.2, 1.6 * z + 0.2) - noise(x - 0.2, 1.6 * z - 0.2);
+    const Color lit = (0.80 - 0.45 * slope) * sand;
+    return mix(lit, horizon, 0.7 * clamp01(distance / (distance + 15)));
+}
+
+// A skyline around the horizon: flat tops where the noise is high, gentle hills elsewhere.
+double skyline(Vec3 d, double scale, double height) {
+    const double to_circle = scale / std::sqrt(d.x * d.x + d.z * d.z + 1e-9);
+    const double n = noise(to_circle * d.x + 40 * scale, to_circle * d.z);
+    return height * (0.15 + 0.25 * n + 0.6 * edge(n - 0.62, 0.12)) - d.y;
+}
+
+Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
+
+// A fin of sandstone in the plane z = -1 around the hole |x / 0.48|^3 + |(y + 0.12) / 0.585|^3 < 1. Its surface bends
+// towards the nearer border.
+Color arch(Color behind, Vec3 d) {
+    const double u = d.x / -d.z, v = d.y / -d.z;
+    if (!(d.z < 0 && std::fabs(u) < 1 && v < 0.7 && v > -0.1)) return behind;
+    const double x = u + 0.06 * (noise(7 * u, 7 * v) - 0.5), y = v + 0.06 * (noise(7 * u, 7 * v + 50) - 0.5);
+    const double a = x / 0.48, b = (y + 0.12) / 0.585;
+    const Vec3 outward{a * std::fabs(a) / 0.48, b * std::fabs(b) / 0.585, 0};
+    const double hole = (a * a * std::fabs(a) + b * b * std::fabs(b) - 1) / (3 * length(outward) + 1e-9);
+    const Vec3 upward = normalize({1.7 * x, 1, 0});
+    const double roof = (0.555 - 0.85 * x * x - y) * upward.y;
+    const double worn_hole = 1 - edge(hole - 0.04, 0.08), worn_roof = 1 - edge(roof - 0.05, 0.1);
+    const Vec3 into_hole = (-worn_hole / (length(outward) + 1e-9)) * outward;
+    const Vec3 normal = normalize(Vec3{0, 0, 0.6} + worn_roof * upward + into_hole);
+    const Color lit = (0.35 + 0.95 * clamp01(dot(normal, sun))) * strata(v + 0.1 * noise(3 * u, 3 * v));
+    return mix(behind, lit, edge(hole) * edge(roof) * edge(v + 0.07));
+}
+
+Color desert(Vec3 d) {
+    if (d.y > 0.5) return sky(d);
+    if (d.y < -0.1) return ground(d);
+    Color color = mix(ground(d), sky(d), edge(d.y));
+    color = mix(color, mix(strata(3 * d.y), horizon, 0.62), edge(skyline(d, 3, 0.13)) * edge(d.y));
+    color = mix(color, mix(strata(2 * d.y), horizon, 0.35), edge(skyline(d, 5, 0.08)) * edge(d.y + 0.01));
+    return arch(color, d);
+}
+
+}  // namespace
+
+EnvironmentMap built_in_environment() {
+    constexpr int width = 1024, height = 512;
+    std::vector<portable::SineCosine> azimuths;
+    for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
+    std::vector<float> rgb;
+    rgb.reserve(3 * width * height);
+    for (int row = 0; row < height; ++row) {
+        const portable::SineCosine polar = portable::sincos_turns(0.5 * (row + 0.5) / (height - 1));
+        for (const portable::SineCosine& azimuth : azimuths) {
+            const Color c = desert({polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine});
+            for (const double value : {c.x, c.y, c.z}) rgb.push_back(static_cast<float>(clamp01(value)));
+        }
+    }
+    return EnvironmentMap(width, height, std::move(rgb));
+}
+
+EnvironmentMap load_environment(const std::string& file) {
+    if (file.empty()) return built_in_environment();
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw std::runtime_error(file + ": cannot open this environment");
+    try {
+        return read_radiance_hdr(in);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(file + ": " + error.what());
+    }
+}

@@ -1,0 +1,14 @@
+// The environment that the project brings along, and the choice between it and one from a file.
+#pragma once
+
+#include "scene/environment.h"
+
+#include <string>
+
+// A desert with an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the arch:
+// 1024 x 512 texels of linear RGB radiance in [0, 1]. Portable arithmetic gives the same bits everywhere.
+EnvironmentMap built_in_environment();
+
+// The environment of a .hdr file, or the built-in one if the name is empty. Throws std::runtime_error, one line that
+// names the file.
+EnvironmentMap load_environment(const std::string& file);

@@ -1,0 +1,32 @@
+// An image of linear RGB radiance, and the two formats it is written in.
+#pragma once
+
+#include "numerics/vec3.h"
+
+#include <string>
+#include <vector>
+
+class Image {
+public:
+    // A black image. width and height are at least 1.
+    Image(int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    // The pixel in column x of row y; row 0 is the top.
+    Color operator()(int x, int y) const;
+    void set(int x, int y, Color color);
+
+private:
+    std::size_t offset(int x, int y) const;
+
+    int width_, height_;
+    std::vector<float> rgb_;
+};
+
+// Binary PPM ("P6"), 8 bits per channel, sRGB transfer function (IEC 61966-2-1); values are clamped to [0, 1].
+std::string to_ppm(const Image& image);
+
+// PFM ("PF"), 32-bit linear floats, little-endian (the header's -1), bottom row first as the format asks.
+std::string to_pfm(const Image& image);

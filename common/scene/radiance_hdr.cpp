@@ -1,0 +1,160 @@
+#include "scene/radiance_hdr.h"
+
+#include <array>
+#include <cstdint>
+#include <istream>
+#include <sstream>
+#include <stdexcept>
+#include <streambuf>
+#include <utility>
+#include <vector>
+
+namespace {
+
+class RadianceReader {
+public:
+    explicit RadianceReader(std::streambuf& bytes) : bytes_(bytes) {
+        scale_[136] = 1;
+        for (std::size_t e = 136; e < 255; ++e) scale_[e + 1] = 2 * scale_[e];
+        for (std::size_t e = 136; e > 1; --e) scale_[e - 1] = scale_[e] / 2;
+    }
+
+    EnvironmentMap read() {
+        read_header();
+        for (row_ = 0; row_ < height_; ++row_) read_scanline();
+        return EnvironmentMap(width_, height_, std::move(rgb_));
+    }
+
+private:
+    using Rgbe = std::array<unsigned char, 4>;
+
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw std::runtime_error(row_ < 0 ? problem : "row " + std::to_string(row_) + ": " + problem);
+    }
+
+    // Text from the file, fit for an error message of one line.
+    static std::string quote(const std::string& text) {
+        std::string quoted = "'";
+        for (const char c : text.substr(0, 60)) quoted += c >= ' ' && c <= '~' ? c : '?';
+        return quoted + (text.size() > 60 ? "...'" : "'");
+    }
+
+    std::string header_line() {
+        std::string line;
+        for (int c = bytes_.sbumpc(); c != '\n'; c = bytes_.sbumpc()) {
+            if (c == std::char_traits<char>::eof()) fail("the file ends inside the header");
+            line += static_cast<char>(c);
+            if (line.size() > 4096) fail("a line of the header is longer than 4096 characters");
+        }
+        while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+        return line;
+    }
+
+    void read_header() {
+        const bool hash = bytes_.sbumpc() == '#', question_mark = bytes_.sbumpc() == '?';
+        const std::string program = hash && question_mark ? header_line() : "";
+        if (program != "RADIANCE" && program != "RGBE")
+            fail("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
+        int lines = 0;
+        for (std::string line = header_line(); !line.empty(); line = header_line()) {
+            if (line.compare(0, 7, "FORMAT=") == 0 && line != "FORMAT=32-bit_rle_rgbe")
+                fail("format " + quote(line.substr(7)) + " is not supported, only 32-bit_rle_rgbe is");
+            if (++lines > 1000) fail("the header has more than 1000 lines");
+        }
+        read_size(header_line());
+    }
+
+    void read_size(const std::string& line) {
+        std::istringstream words(line);
+        std::string y, height, x, width, more;
+        words >> y >> height >> x >> width;
+        if (y != "-Y" || x != "+X" || words >> more)
+            fail("resolution line " + quote(line) + " is not supported, only '-Y height +X width' is");
+        height_ = size(height);
+        width_ = size(width);
+        if (std::int64_t{width_} * height_ > EnvironmentMap::max_texels)
+            fail("a picture of " + width + " x " + height + " texels exceeds the limit of " +
+                 std::to_string(EnvironmentMap::max_texels) + " texels");
+    }
+
+    int size(const std::string& word) const {
+        const bool digits = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+        const int value = digits && word.size() <= 9 ? std::stoi(word) : 0;
+        if (value >= 1 && value <= EnvironmentMap::max_texels) return value;
+        fail("size " + quote(word) + " is not a whole number from 1 to " + std::to_string(EnvironmentMap::max_texels));
+    }
+
+    unsigned char byte() {
+        const int c = bytes_.sbumpc();
+        if (c == std::char_traits<char>::eof()) fail("the file ends inside a scanline");
+        return static_cast<unsigned char>(c);
+    }
+
+    Rgbe texel() {
+        Rgbe rgbe;
+        for (unsigned char& component : rgbe) component = byte();
+        return rgbe;
+    }
+
+    // Exact: 8 bits of mantissa, and 2^-135 is 2^14 times the smallest float.
+    void append(const Rgbe& rgbe) {
+        for (std::size_t i = 0; i < 3; ++i) rgb_.push_back(static_cast<float>(rgbe[i]) * scale_[rgbe[3]]);
+    }
+
+    // New scanlines announce themselves by a first texel (2, 2, high, low) that no encoder writes: the largest mantissa
+    // is always at least 128.
+    void read_scanline() {
+        const Rgbe first = texel();
+        const bool announces_runs = first[0] == 2 && first[1] == 2 && first[2] < 128;
+        if (!announces_runs || width_ < 8 || width_ > 32767) return read_flat_or_old(first);
+        const int announced = first[2] * 256 + first[3];
+        if (announced != width_)
+            fail("the scanline announces " + std::to_string(announced) + " texels instead of " +
+                 std::to_string(width_));
+        scanline_.resize(static_cast<std::size_t>(width_));
+        for (std::size_t component = 0; component < 4; ++component) read_component(component);
+        for (const Rgbe& rgbe : scanline_) append(rgbe);
+    }
+
+    // A code above 128: the next byte, code - 128 times. Otherwise: that many bytes follow.
+    void read_component(std::size_t component) {
+        for (std::size_t x = 0; x < scanline_.size();) {
+            const std::size_t code = byte(), count = code > 128 ? code - 128 : code;
+            if (count == 0) fail("a run of length 0");
+            if (count > scanline_.size() - x) fail("a run goes past the end of the scanline");
+            const unsigned char repeated = code > 128 ? byte() : static_cast<unsigned char>(0);
+            for (std::size_t end = x + count; x < end; ++x) scanline_[x][component] = code > 128 ? repeated : byte();
+        }
+    }
+
+    // A texel (1, 1, 1, n) repeats the one before it n times; if such texels follow each other, they are the digits of
+    // the count in base 256, the lowest first.
+    void read_flat_or_old(Rgbe rgbe) {
+        for (int x = 0, shift = 0;; rgbe = texel()) {
+            if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) {
+                if (x == 0) fail("the scanline begins with a run, which has no texel to repeat");
+                if (shift > 24 || std::int64_t{rgbe[3]} << shift > width_ - x)
+                    fail("a run goes past the end of the scanline");
+                const int count = rgbe[3] << shift;
+                for (int i = 0; i < 3 * count; ++i) rgb_.push_back(rgb_[rgb_.size() - 3]);
+                x += count;
+                shift += 8;
+            } else {
+                append(rgbe);
+                ++x;
+                shift = 0;
+            }
+            if (x == width_) return;
+        }
+    }
+
+    std::streambuf& bytes_;
+    int row_ = -1, width_ = 0, height_ = 0;
+    std::array<float, 256> scale_{};  // 2^(e - 136); 0 for e = 0
+    std::vector<Rgbe> scanline_;
+    std::vector<float> rgb_;
+};
+
+}  // namespace
+
+EnvironmentMap read_radiance_hdr(std::istream& in) { return RadianceReader(*in.rdbuf()).read(); }

@@ -1,0 +1,14 @@
+// Radiance pictures (.hdr): how environment maps are stored in files.
+#pragma once
+
+#include "scene/environment.h"
+
+#include <iosfwd>
+
+// Reads a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
+// radiance = mantissa * 2^(exponent - 136), exactly. Scanlines may be flat or run-length coded in the old or new way;
+// the resolution line must be "-Y height +X width". EXPOSURE is ignored, as the practice's loader does, and so are all
+// other header variables but FORMAT. Memory follows what the file holds, not what its header claims, and what follows
+// the last scanline is not read.
+// Throws std::runtime_error whose text is one line: what is wrong and, within the picture, in which row (0 at the top).
+EnvironmentMap read_radiance_hdr(std::istream& in);
