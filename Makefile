@@ -73,7 +73,7 @@ $(BUILD)/bench: $(BUILD)/tests/bench.o $(COMMON)
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ $(LAPACK) -o $@
 
 format-check:
-	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*.cpp
+	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*.cpp tests/*.h
 
 figures: all
 	BIN=$(BIN) tests/figures

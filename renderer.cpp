@@ -20,6 +20,7 @@ struct Request {
     bool help = false;
 };
 
+constexpr std::pair<const char*, bool> format_names[] = {{"ppm", false}, {"pfm", true}};
 constexpr long max_side = 8192;
 constexpr long max_mc_samples = 1000000;
 
@@ -36,14 +37,8 @@ void set_size(RenderSettings& settings, const std::string& text) {
 }
 
 std::vector<Option> method_options(RenderSettings& settings) {
-    return {{"method", "NAME", "mc, direct, single, rotated or pool (default)",
-             [&](const std::string& text) {
-                 settings.method = parse_choice<Method>(text, {{"mc", Method::mc},
-                                                               {"direct", Method::direct},
-                                                               {"single", Method::single},
-                                                               {"rotated", Method::rotated},
-                                                               {"pool", Method::pool}});
-             }},
+    return {{"method", "NAME", choices(method_names, settings.method),
+             [&](const std::string& text) { settings.method = parse_choice(text, method_names); }},
             {"samples", "N", "directions per pixel (default 40)",
              [&](const std::string& text) {
                  settings.samples = static_cast<std::size_t>(parse_integer(text, 1, max_mc_samples));
@@ -59,9 +54,7 @@ std::vector<Option> picture_options(Request& request) {
             {"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
              [&](const std::string& text) { request.environment = parse_name(text); }},
             {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
-             [&](const std::string& text) {
-                 request.linear = parse_choice<bool>(text, {{"ppm", false}, {"pfm", true}});
-             }},
+             [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
             {"threads", "T", "changes the time only, not the picture (default: all cores)",
              [&](const std::string& text) { settings.threads = static_cast<unsigned>(parse_integer(text, 1, 256)); }},
             {"help", "", "this text", [&](const std::string&) { request.help = true; }}};

@@ -107,44 +107,32 @@ std::string parse_name(const std::string& text) {
 }
 
 std::vector<Option> ModelOptions::options() {
-    return {
-        {"covariance", "NAME", "sobolev (default) or squared-exponential",
-         [this](const std::string& text) {
-             covariance = parse_choice<std::string>(
-                 text, {{"sobolev", "sobolev"}, {"squared-exponential", "squared-exponential"}});
-         }},
-        {"smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
-         [this](const std::string& text) { smoothness = parse_real(text, 1.001, 1.999); }},
-        {"length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
-         [this](const std::string& text) { length_scale = parse_real(text, 0.05, 1e6); }},
-        {"noise", "X", "standard deviation of the samples' error (default 0.01)",
-         [this](const std::string& text) { noise = parse_real(text, 0, 1000); }},
-        {"known", "NAME", "part of the integrand: nothing (default) or cosine, for sobolev with smoothness 1.5",
-         [this](const std::string& text) {
-             prior.known =
-                 parse_choice<KnownPart>(text, {{"nothing", KnownPart::nothing}, {"cosine", KnownPart::cosine}});
-         }},
-        {"mean", "NAME", "of the prior: zero (default) or uniform, a uniform light of unknown radiance",
-         [this](const std::string& text) {
-             prior.mean = parse_choice<PriorMean>(text, {{"zero", PriorMean::zero}, {"uniform", PriorMean::uniform}});
-         }},
-        {"placement", "NAME", "of the directions: uniform (default), fibonacci, cosine or cosine-fibonacci",
-         [this](const std::string& text) {
-             placement = parse_choice<Placement>(text, {{"uniform", Placement::uniform},
-                                                        {"fibonacci", Placement::fibonacci},
-                                                        {"cosine", Placement::cosine},
-                                                        {"cosine-fibonacci", Placement::cosine_fibonacci}});
-         }},
-        {"seed", "K", "of the random numbers (default 1)",
-         [this](const std::string& text) { seed = parse_seed(text); }}};
+    return {{"covariance", "NAME", choices(covariance_names, covariance),
+             [this](const std::string& text) { covariance = parse_choice(text, covariance_names); }},
+            {"smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
+             [this](const std::string& text) { smoothness = parse_real(text, 1.001, 1.999); }},
+            {"length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
+             [this](const std::string& text) { length_scale = parse_real(text, 0.05, 1e6); }},
+            {"noise", "X", "standard deviation of the samples' error (default 0.01)",
+             [this](const std::string& text) { noise = parse_real(text, 0, 1000); }},
+            {"known", "NAME",
+             "part of the integrand: " + choices(known_part_names, prior.known) + ", for sobolev with smoothness 1.5",
+             [this](const std::string& text) { prior.known = parse_choice(text, known_part_names); }},
+            {"mean", "NAME",
+             "of the prior: " + choices(prior_mean_names, prior.mean) + ", a uniform light of unknown radiance",
+             [this](const std::string& text) { prior.mean = parse_choice(text, prior_mean_names); }},
+            {"placement", "NAME", "of the directions: " + choices(placement_names, placement),
+             [this](const std::string& text) { placement = parse_choice(text, placement_names); }},
+            {"seed", "K", "of the random numbers (default 1)",
+             [this](const std::string& text) { seed = parse_seed(text); }}};
 }
 
 std::unique_ptr<Covariance> ModelOptions::make_covariance() const {
-    if (prior.known == KnownPart::cosine && !(covariance == "sobolev" && smoothness == 1.5))
+    const bool is_sobolev = covariance == CovarianceFamily::sobolev;
+    if (prior.known == KnownPart::cosine && !(is_sobolev && smoothness == 1.5))
         throw UsageError(
             "--known cosine goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form");
-    if (covariance == "sobolev") return std::make_unique<Sobolev>(smoothness);
-    return std::make_unique<SquaredExponential>(length_scale);
+    return ::make_covariance(covariance, is_sobolev ? smoothness : length_scale);
 }
 
 int run_program(const char* name, const std::function<std::string()>& body) {

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -40,20 +39,41 @@ std::uint64_t parse_seed(const std::string& text);
 // The text; throws UsageError if it is empty.
 std::string parse_name(const std::string& text);
 
+// An enum stands beside one table of its names, std::pair<const char*, T>; options, help and reports read it.
+
 // The value that the text names; throws UsageError with the list of names.
-template <class T>
-T parse_choice(const std::string& text, std::initializer_list<std::pair<const char*, T>> choices) {
+template <class T, std::size_t count>
+T parse_choice(const std::string& text, const std::pair<const char*, T> (&table)[count]) {
     std::string names;
-    for (const auto& [name, value] : choices) {
+    for (const auto& [name, value] : table) {
         if (text == name) return value;
         names += names.empty() ? name : std::string(", ") + name;
     }
     throw UsageError("'" + text + "' is none of " + names);
 }
 
+template <class T, std::size_t count>
+const char* name_of(T wanted, const std::pair<const char*, T> (&table)[count]) {
+    for (const auto& [name, value] : table)
+        if (value == wanted) return name;
+    return "";
+}
+
+// "mc, direct or pool (default)", for a help text.
+template <class T, std::size_t count>
+std::string choices(const std::pair<const char*, T> (&table)[count], T standard) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i)
+        text += (i == 0          ? ""
+                 : i + 1 < count ? ", "
+                                 : " or ") +
+                std::string(table[i].first) + (table[i].second == standard ? " (default)" : "");
+    return text;
+}
+
 // The options about the Gaussian process and its samples that both programs take.
 struct ModelOptions {
-    std::string covariance = "sobolev";
+    CovarianceFamily covariance = CovarianceFamily::sobolev;
     double smoothness = 1.5;
     double length_scale = 1;
     double noise = 0.01;

@@ -2,7 +2,12 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
-#include "experiments/reports.h"
+#include "experiments/error_table.h"
+#include "experiments/known.h"
+#include "experiments/models.h"
+#include "experiments/rule.h"
+#include "experiments/stability.h"
+#include "experiments/tradeoff.h"
 #include "scene/desert.h"
 #include "scene/render.h"
 
@@ -38,18 +43,27 @@ void check(const renderer_program::Request& request) {
     require(settings.samples >= 1 && settings.pool >= 1 && settings.threads >= 1);
     require(settings.width >= 1 && settings.width <= 8192);
     require(settings.height >= 1 && settings.height <= 8192);
+    require(request.help || request.covariance != nullptr);
     check(request.model);
 }
 
-void check(const workbench_program::Request& request) {
-    const ErrorSettings& settings = request.settings;
+// The workbench's own options are in its commands.
+void check(const workbench_program::Request& request) { require(request.command.report != nullptr); }
+
+void check(const ErrorTables& tables) {
+    const ErrorSettings& settings = tables.settings;
     require(!settings.samples.empty() && settings.samples.size() <= 1000);
     for (const std::size_t n : settings.samples) require(n >= 1 && n <= 4096);
-    require(request.rule_samples >= 1 && request.rule_samples <= 4096);
-    require(request.size >= 2 && request.size <= 1024);
     require(settings.mc_estimates >= 1 && settings.bmc_estimates >= 1);
-    check(request.model);
+    check(tables.model);
 }
+
+void check(const Rule& rule) {
+    require(rule.samples >= 1 && rule.samples <= 4096);
+    check(rule.model);
+}
+
+void check(const Tradeoff& tradeoff) { require(tradeoff.size >= 2 && tradeoff.size <= 1024); }
 
 template <class Parse>
 void parse(Parse parse_words, std::vector<std::string> words) {
@@ -59,12 +73,17 @@ void parse(Parse parse_words, std::vector<std::string> words) {
     optind = 0;  // a fresh scan
     try {
         const auto request = parse_words(static_cast<int>(words.size()), argv.data());
-        if (request.help) return;
-        require(request.covariance != nullptr);
         check(request);
     } catch (const UsageError& error) {
         require(error.what()[0] != '\0');
     }
+}
+
+template <class Experiment>
+Experiment parse_experiment(int argc, char** argv) {
+    Experiment experiment;
+    parse_options(argc, argv, experiment.options());
+    return experiment;
 }
 
 }  // namespace
@@ -80,5 +99,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (words.back().empty()) words.pop_back();  // a last line ends with its line break
     parse(renderer_program::parse, words);
     parse(workbench_program::parse, words);
+    parse(parse_experiment<ErrorTables>, words);
+    parse(parse_experiment<Rule>, words);
+    parse(parse_experiment<Tradeoff>, words);
     return 0;
 }

@@ -52,9 +52,12 @@ TEST_CASE("numbers are read entirely or not at all") {
     CHECK_THROWS_AS(parse_seed("-1"), UsageError);
 }
 
-TEST_CASE("a choice is one of its names") {
-    CHECK(parse_choice<int>("b", {{"a", 1}, {"b", 2}}) == 2);
-    CHECK_THROWS_WITH_AS(parse_choice<int>("c", {{"a", 1}, {"b", 2}}), "'c' is none of a, b", UsageError);
+TEST_CASE("a choice is one of the names of a table, and the help lists them") {
+    constexpr std::pair<const char*, int> table[] = {{"a", 1}, {"b", 2}, {"c", 3}};
+    CHECK(parse_choice("b", table) == 2);
+    CHECK_THROWS_WITH_AS(parse_choice("d", table), "'d' is none of a, b, c", UsageError);
+    CHECK(std::string(name_of(3, table)) == "c");
+    CHECK(choices(table, 1) == "a (default), b or c");
 }
 
 TEST_CASE("model options make the covariance that they name") {

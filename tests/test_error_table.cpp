@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "rows_of.h"
+
 TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
     // Normal errors: E |error| = sqrt(2 / pi) * 2 pi sqrt(1/12 / n) for cos(theta); the mean of 4000 has a relative
     // standard error of 0.756 / sqrt(4000), and 5 of them allow for the normal approximation too.
@@ -49,4 +51,11 @@ TEST_CASE("an exact estimate has no infinite or undefined gain beside another ex
     CHECK(ErrorRow{10, 0, 0, 0, 0}.gain() == 1);
     CHECK(std::isinf(ErrorRow{10, 1, 0, 0, 0}.gain()));
     CHECK(ErrorRow{10, 3, 2, 0, 0}.gain() == 1.5);
+}
+
+TEST_CASE("an error table is reported as numbers only") {
+    const ErrorRow row{20, 0.25, 0.0625, 0.125, 0.5};
+    const auto rows = rows_of(error_report(practice_integrands()[1], {row}));
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0] == std::vector<std::string>{"20", "0.25", "0.0625", "0.125", "4", "320", "0.5"});
 }

@@ -6,8 +6,8 @@
 
 namespace {
 
-const Model rough{"sobolev", 1.5, std::make_shared<Sobolev>(1.5)};
-const Model smooth{"squared-exponential", 1, std::make_shared<SquaredExponential>(1)};
+const Model rough{CovarianceFamily::sobolev, 1.5};
+const Model smooth{CovarianceFamily::squared_exponential, 1};
 
 }  // namespace
 

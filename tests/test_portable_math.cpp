@@ -9,7 +9,6 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -17,22 +16,13 @@
 #include <xmmintrin.h>
 #endif
 
+using portable::bits_of;
+using portable::from_bits;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::uint64_t bits_of(double x) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-double from_bits(std::uint64_t bits) {
-    double x;
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
-}
 
 // Uniform over the bit patterns of the positive finite doubles: every binary exponent counts alike.
 double any_positive(Random& random) { return from_bits(random.bits() % bits_of(infinity)); }

@@ -1,7 +1,7 @@
 #include "scene/desert.h"
 #include "scene/render.h"
 
-#include "experiments/tradeoff.h"
+#include "experiments/picture_error.h"
 #include "quadrature/gaussian_process.h"
 
 #include <doctest/doctest.h>

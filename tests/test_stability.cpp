@@ -84,7 +84,7 @@ TEST_CASE(
                     by_solve = std::max(by_solve, std::fabs(process.weights()[i] - exact[i]));
                     by_inverse = std::max(by_inverse, std::fabs(weight - exact[i]));
                 }
-                CAPTURE(name_of(set));
+                CAPTURE(name_of(set, sample_set_names));
                 CAPTURE(noise);
                 // A backward stable solution is wrong by about eps times the condition number. So is each column of the
                 // inverse, relative to itself; where A is nearly singular, the columns are far larger than the weights.
@@ -106,12 +106,12 @@ TEST_CASE("residual ratios stay below 5 at every extreme, LAPACK's limit being 3
 
 TEST_CASE("what is singular in double precision is refused, naming pivot and value, and works with noise") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
-        const StabilityRow refused = examine(set, 100, {"sobolev", 1.5, std::make_shared<Sobolev>()}, 0);
+        const StabilityRow refused = examine(set, 100, {CovarianceFamily::sobolev, 1.5}, 0);
         CHECK(refused.refusal.find("not positive definite: pivot 1 is ") != std::string::npos);
-        CHECK(examine(set, 100, {"sobolev", 1.5, std::make_shared<Sobolev>()}, 1e-2).refusal.empty());
+        CHECK(examine(set, 100, {CovarianceFamily::sobolev, 1.5}, 1e-2).refusal.empty());
     }
     // As s tends to 2, k tends to C - r^2, of rank 4: constants and the three coordinates.
-    const Model nearly_flat{"sobolev", std::nextafter(2, 1), std::make_shared<Sobolev>(std::nextafter(2, 1))};
+    const Model nearly_flat{CovarianceFamily::sobolev, std::nextafter(2, 1)};
     CHECK(examine(SampleSet::random, 40, nearly_flat, 0).refusal.find("pivot 4 ") != std::string::npos);
     CHECK(examine(SampleSet::random, 40, nearly_flat, 1e-2).refusal.empty());
 }

@@ -6,6 +6,42 @@
 
 #include "quadrature/gaussian_process.h"
 
+namespace {
+
+constexpr long max_estimates = 100000;
+constexpr std::size_t max_rows = 1000;
+
+std::vector<std::size_t> split(const std::string& text, char separator) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+        end = text.find(separator, begin);
+        const std::string word = text.substr(begin, end - begin);
+        if (word.empty()) throw UsageError("'" + text + "' is no list as 10,20,40 and no range FIRST:LAST:STEP");
+        numbers.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
+    }
+    return numbers;
+}
+
+// A list "10,20,40" or a range "10:100:10".
+std::vector<std::size_t> parse_samples(const std::string& text) {
+    if (text.find(':') == std::string::npos) return split(text, ',');
+    const std::vector<std::size_t> range = split(text, ':');
+    if (range.size() != 3 || range[0] > range[1])
+        throw UsageError("'" + text + "' is no range FIRST:LAST:STEP with FIRST <= LAST");
+    std::vector<std::size_t> samples;
+    for (std::size_t n = range[0]; n <= range[1]; n += range[2]) samples.push_back(n);
+    return samples;
+}
+
+void set_samples(ErrorSettings& settings, const std::string& text) {
+    settings.samples = parse_samples(text);
+    if (settings.samples.size() > max_rows)
+        throw UsageError(std::to_string(settings.samples.size()) + " numbers are too many, at most " +
+                         std::to_string(max_rows) + " are allowed; give a range a larger STEP");
+}
+
+}  // namespace
+
 double ErrorRow::gain() const {
     if (bmc_error > 0) return mc_error / bmc_error;
     return mc_error > 0 ? std::numeric_limits<double>::infinity() : 1;
@@ -17,8 +53,7 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& 
     for (const std::size_t n : settings.samples) {
         ErrorRow row{n, 0, 0, 0, 0};
         for (std::size_t e = 0; e < std::max(settings.mc_estimates, settings.bmc_estimates); ++e) {
-            Random random(settings.seed, (std::uint64_t{n} << 32) + e);
-            const std::vector<Vec3> directions = place_directions(settings.placement, n, random);
+            const std::vector<Vec3> directions = estimate_directions(settings.placement, n, settings.seed, e);
             if (e < settings.mc_estimates)
                 row.mc_error +=
                     std::fabs(apply(monte_carlo_rule(directions, settings.placement), integrand) - integrand.truth);
@@ -36,4 +71,51 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& 
         rows.push_back(row);
     }
     return rows;
+}
+
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows) {
+    std::string text = "# integral of " + integrand.formula + line(" = %.10f\n", integrand.truth) +
+                       "# samples     mc_error    bmc_error bmc_predicted        mc/bmc   mc_samples     se_error\n";
+    for (const ErrorRow& row : rows)
+        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
+                     row.bmc_predicted, row.gain(), row.equivalent_mc_samples(), row.rival_error);
+    return text;
+}
+
+std::vector<Option> ErrorTables::options() {
+    std::vector<Option> options = {
+        {"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
+         [this](const std::string& text) { integrand = parse_name(text); }},
+        {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
+         [this](const std::string& text) { set_samples(settings, text); }},
+        {"mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
+         [this](const std::string& text) {
+             settings.mc_estimates = static_cast<std::size_t>(parse_integer(text, 1, max_estimates));
+         }},
+        {"bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
+         [this](const std::string& text) {
+             settings.bmc_estimates = static_cast<std::size_t>(parse_integer(text, 1, max_estimates));
+         }},
+    };
+    for (Option& option : model.options()) options.push_back(std::move(option));
+    return options;
+}
+
+std::string ErrorTables::report() const {
+    ErrorSettings chosen = settings;
+    chosen.placement = model.placement;
+    chosen.noise = model.noise;
+    chosen.prior = model.prior;
+    chosen.seed = model.seed;
+    const std::unique_ptr<Covariance> covariance = model.make_covariance();
+    const SquaredExponential rival(model.length_scale);
+    std::string text, names;
+    for (const Integrand& candidate : practice_integrands()) {
+        names += (names.empty() ? "" : ", ") + candidate.name;
+        if (!integrand.empty() && integrand != candidate.name) continue;
+        text +=
+            (text.empty() ? "" : "\n\n") + error_report(candidate, error_table(candidate, *covariance, rival, chosen));
+    }
+    if (text.empty()) throw UsageError("--integrand: '" + integrand + "' is none of " + names);
+    return text;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "experiments/command.h"
 #include "experiments/integrands.h"
 #include "quadrature/covariance.h"
 
@@ -38,3 +39,16 @@ struct ErrorRow {
 // column, so that the columns differ by method and not by luck.
 std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& covariance, const Covariance& rival,
                                   const ErrorSettings& settings);
+
+// The table as text.
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
+
+// What the workbench prints without a command: the tables of the practice's integrands.
+struct ErrorTables {
+    std::string integrand;  // empty: all
+    ErrorSettings settings;
+    ModelOptions model;
+
+    std::vector<Option> options();
+    std::string report() const;
+};

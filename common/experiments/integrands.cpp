@@ -75,3 +75,8 @@ double apply(const QuadratureRule& rule, const Integrand& integrand) {
     }
     return sum;
 }
+
+std::vector<Vec3> estimate_directions(Placement placement, std::size_t n, std::uint64_t seed, std::size_t e) {
+    Random random(seed, (std::uint64_t{n} << 32) + e);
+    return place_directions(placement, n, random);
+}

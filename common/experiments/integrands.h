@@ -4,6 +4,7 @@
 #include "quadrature/quadrature.h"
 #include "scene/environment.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,3 +31,7 @@ std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& 
 
 // The rule's estimate of the integral.
 double apply(const QuadratureRule& rule, const Integrand& integrand);
+
+// The directions of estimate number e with n samples: the same in every experiment with this placement and seed, so
+// that what they compare differs by method and not by luck.
+std::vector<Vec3> estimate_directions(Placement placement, std::size_t n, std::uint64_t seed, std::size_t e);

@@ -2,24 +2,59 @@
 
 #include "quadrature/gaussian_process.h"
 
+#include <algorithm>
 #include <cmath>
 
 using portable::pi;
 
 namespace {
 
-std::vector<Vec3> sample_set(std::size_t n, std::size_t set) {
-    Random random(1, (std::uint64_t{n} << 32) + set);
-    return uniform_directions(n, random);
+std::string model_name(const ModelRow& row) {
+    return line("%s %g with noise %g", row.model.name(), row.model.parameter, row.noise);
+}
+
+std::string model_table(const std::vector<ModelRow>& rows) {
+    std::string text =
+        "# covariance        parameter  noise       rmse  predicted coverage log_evidence leave_one_out "
+        "amplification\n";
+    for (const ModelRow& row : rows)
+        text += line("%-20s %8g %6g %10.5g %10.5g %8.4f %12.5g %13.5g %13.5g\n", row.model.name(), row.model.parameter,
+                     row.noise, row.rmse, row.predicted, row.coverage, row.log_evidence, row.leave_one_out,
+                     row.amplification);
+    return text;
+}
+
+// The models that the table's columns choose, with the error that each choice brings.
+std::string choices(const std::vector<ModelRow>& rows, double mc_rmse) {
+    const auto least = [&](auto key) {
+        return *std::min_element(rows.begin(), rows.end(),
+                                 [&](const ModelRow& a, const ModelRow& b) { return key(a) < key(b); });
+    };
+    const ModelRow best = least([](const ModelRow& row) { return row.rmse; });
+    const ModelRow evident = least([](const ModelRow& row) { return -row.log_evidence; });
+    const ModelRow left_out = least([](const ModelRow& row) { return row.leave_one_out; });
+    return line("# Monte Carlo on the same sets has RMSE %.5g. In hindsight the best is %s: %.5g.\n", mc_rmse,
+                model_name(best).c_str(), best.rmse) +
+           line("# Without the truth, the evidence chooses %s: %.5g;\n#   the leave-one-out error chooses %s: %.5g.\n",
+                model_name(evident).c_str(), evident.rmse, model_name(left_out).c_str(), left_out.rmse);
+}
+
+std::string range_of_errors(const std::vector<ModelRow>& rows, CovarianceFamily family, double noise) {
+    double low = 1e300, high = 0;
+    for (const ModelRow& row : rows) {
+        if (row.model.family != family || row.noise != noise) continue;
+        low = std::min(low, row.rmse);
+        high = std::max(high, row.rmse);
+    }
+    return line("%s with noise %g %.3g to %.3g", name_of(family, covariance_names), noise, low, high);
 }
 
 }  // namespace
 
 std::vector<Model> compared_models() {
     std::vector<Model> models;
-    for (double s : {1.1, 1.25, 1.4, 1.5, 1.8}) models.push_back({"sobolev", s, std::make_shared<Sobolev>(s)});
-    for (double l : {0.25, 0.5, 1.0, 2.0})
-        models.push_back({"squared-exponential", l, std::make_shared<SquaredExponential>(l)});
+    for (double s : {1.1, 1.25, 1.4, 1.5, 1.8}) models.emplace_back(CovarianceFamily::sobolev, s);
+    for (double l : {0.25, 0.5, 1.0, 2.0}) models.emplace_back(CovarianceFamily::squared_exponential, l);
     return models;
 }
 
@@ -27,7 +62,7 @@ ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& i
                std::size_t sets) {
     ModelRow row{model, noise, 0, 0, 0, 0, 0, 0};
     for (std::size_t set = 0; set < sets; ++set) {
-        const GaussianProcess process(*model.covariance, noise, sample_set(n, set));
+        const GaussianProcess process(*model.covariance, noise, estimate_directions(Placement::uniform, n, 1, set));
         for (const double weight : process.weights()) row.amplification += std::fabs(weight) / (2 * pi);
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = sample(integrand, process.directions());
@@ -53,11 +88,41 @@ ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& i
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets) {
     double squares = 0;
     for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule(sample_set(n, set));
+        const QuadratureRule rule = monte_carlo_rule(estimate_directions(Placement::uniform, n, 1, set));
         for (const Integrand& integrand : integrands) {
             const double error = apply(rule, integrand) - integrand.truth;
             squares += error * error;
         }
     }
     return std::sqrt(squares / static_cast<double>(sets * integrands.size()));
+}
+
+std::string Models::report() const {
+    constexpr std::size_t n = 40, sets = 200;
+    const auto table = [&](const std::vector<Integrand>& integrands) {
+        std::vector<ModelRow> rows;
+        for (const Model& model : compared_models())
+            for (const double noise : {1e-3, 1e-2, 1e-1}) rows.push_back(judge(model, noise, integrands, n, sets));
+        return rows;
+    };
+    const std::vector<Integrand> smooth{practice_integrands()[1]}, radiance = scene_integrands();
+    const std::vector<ModelRow> smooth_rows = table(smooth), radiance_rows = table(radiance);
+    const double mc_rmse = monte_carlo_rmse(radiance, n, sets);
+    std::string text =
+        "# What cos(theta) requires: 200 random sets of 40 directions.\n" + model_table(smooth_rows) +
+        choices(smooth_rows, monte_carlo_rmse(smooth, n, sets)) +
+        "\n\n# What a scene requires: incident radiance times cos(theta) at five points, the same sets.\n" +
+        model_table(radiance_rows) + choices(radiance_rows, mc_rmse) +
+        "\n\n# Is the error bar honest? Fraction of errors within two predicted standard errors on the same radiance.\n"
+        "# smoothness samples       rmse  predicted coverage\n";
+    constexpr std::size_t counts[] = {20, 40, 80, 160};
+    for (const double s : {1.25, 1.5, 1.8})
+        for (const std::size_t count : counts) {
+            const ModelRow row = judge({CovarianceFamily::sobolev, s}, 1e-2, radiance, count, sets);
+            text += line("%12g %7zu %10.5g %10.5g %8.4f\n", s, count, row.rmse, row.predicted, row.coverage);
+        }
+    return text + "# RMSE on radiance: " + range_of_errors(radiance_rows, CovarianceFamily::sobolev, 1e-2) + ";\n#   " +
+           range_of_errors(radiance_rows, CovarianceFamily::squared_exponential, 1e-2) + ", " +
+           range_of_errors(radiance_rows, CovarianceFamily::squared_exponential, 1e-1) +
+           line("; Monte Carlo %.3g.\n", mc_rmse);
 }

@@ -2,6 +2,7 @@
 // truth, and by the evidence and the leave-one-out error, which do not.
 #pragma once
 
+#include "experiments/command.h"
 #include "experiments/integrands.h"
 #include "quadrature/covariance.h"
 
@@ -9,11 +10,16 @@
 #include <string>
 #include <vector>
 
-// A covariance with the name and the parameter that a report prints.
+// A covariance with the names that a report prints.
 struct Model {
-    std::string name;
+    CovarianceFamily family;
     double parameter;
     std::shared_ptr<const Covariance> covariance;
+
+    Model(CovarianceFamily its_family, double its_parameter)
+        : family(its_family), parameter(its_parameter), covariance(make_covariance(family, parameter)) {}
+
+    const char* name() const { return name_of(family, covariance_names); }
 };
 
 // Sobolev s = 1.1, 1.25, 1.4, 1.5, 1.8; squared-exponential l = 0.25, 0.5, 1, 2.
@@ -36,3 +42,8 @@ ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& i
 
 // Root mean square error of Monte Carlo on the same sets.
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);
+
+struct Models {
+    std::vector<Option> options() { return {}; }
+    std::string report() const;
+};

@@ -22,22 +22,48 @@ void add_transposed_product(double factor, const Matrix& a, const Matrix& b, Mat
         }
 }
 
-Model sobolev(double s) { return {"sobolev", s, std::make_shared<Sobolev>(s)}; }
+std::string stability_line(const StabilityRow& row) {
+    const std::string setting = line("%-11s %7zu %-19s %9g %6g ", name_of(row.set, sample_set_names), row.samples,
+                                     row.model.name(), row.model.parameter, row.noise);
+    if (!row.refusal.empty()) return "# " + setting + row.refusal + '\n';
+    return "  " + setting +
+           line("%10.3g %8.3f %8.3f %10.2g %12.5g %10.3g\n", row.residuals.condition, row.residuals.factor,
+                row.residuals.inverse, row.weight_difference, row.absolute_weights, row.cosine_error);
+}
 
-Model squared_exponential(double l) { return {"squared-exponential", l, std::make_shared<SquaredExponential>(l)}; }
+// What noise to choose, from the rows: where nothing is refused, and what is left of 16 digits there.
+std::string stability_verdict(const std::vector<StabilityRow>& rows) {
+    double factor = 0, inverse = 0;
+    for (const StabilityRow& row : rows) {
+        factor = std::max(factor, row.residuals.factor);
+        inverse = std::max(inverse, row.residuals.inverse);
+    }
+    std::string text =
+        line("# The largest residual ratios are %.2g and %.2g: what is computed is as good as the matrix allows.\n",
+             factor, inverse);
+    double chosen = 1;
+    for (const double noise : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        double condition = 0, difference = 0;
+        int refused = 0;
+        for (const StabilityRow& row : rows) {
+            if (row.noise != noise) continue;
+            condition = std::max(condition, row.residuals.condition);
+            difference = std::max(difference, row.weight_difference);
+            refused += !row.refusal.empty();
+        }
+        text += line(
+            "# Noise %g: %d settings are refused, the others have condition numbers up to %.1g and weights that solve "
+            "and\n"
+            "#   inverse agree on to %.1g.\n",
+            noise, refused, condition, difference);
+        if (refused == 0 && difference < 1e-6) chosen = noise;
+    }
+    return text +
+           line("# Choose %g: the least noise here with which nothing is refused and every weight has six digits.\n",
+                chosen);
+}
 
 }  // namespace
-
-const char* name_of(SampleSet set) {
-    switch (set) {
-        case SampleSet::random: return "random";
-        case SampleSet::duplicates: return "duplicates";
-        case SampleSet::equator: return "equator";
-        case SampleSet::pole: return "pole";
-        case SampleSet::cluster: return "cluster";
-    }
-    return "";
-}
 
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     Random random(1, n);
@@ -101,14 +127,31 @@ std::vector<StabilityRow> stability_rows() {
     std::vector<StabilityRow> rows;
     constexpr std::size_t counts[] = {1, 2, 10, 100, 1000};
     for (const std::size_t n : counts)
-        for (const double noise : noises) rows.push_back(examine(SampleSet::random, n, sobolev(1.5), noise));
+        for (const double noise : noises)
+            rows.push_back(examine(SampleSet::random, n, {CovarianceFamily::sobolev, 1.5}, noise));
     std::vector<Model> models;
-    for (const double s : {1.001, 1.1, 1.25, 1.75, 1.9, 1.999}) models.push_back(sobolev(s));
-    for (const double l : {0.05, 0.2, 1.0, 5.0, 100.0, 1e6}) models.push_back(squared_exponential(l));
+    for (const double s : {1.001, 1.1, 1.25, 1.75, 1.9, 1.999}) models.emplace_back(CovarianceFamily::sobolev, s);
+    for (const double l : {0.05, 0.2, 1.0, 5.0, 100.0, 1e6})
+        models.emplace_back(CovarianceFamily::squared_exponential, l);
     for (const Model& model : models)
         for (const double noise : noises) rows.push_back(examine(SampleSet::random, 100, model, noise));
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
-        for (const Model& model : {sobolev(1.5), squared_exponential(1)})
+        for (const Model& model :
+             {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::squared_exponential, 1)})
             for (const double noise : noises) rows.push_back(examine(set, 100, model, noise));
     return rows;
+}
+
+std::string Stability::report() const {
+    const std::vector<StabilityRow> rows = stability_rows();
+    std::string text =
+        "# Where the arithmetic breaks. factor and inverse: residuals over what backward stable arithmetic leaves "
+        "(LAPACK\n"
+        "# accepts 30); difference: of the weights by solve and by inverse; a set that double precision cannot tell "
+        "from a\n"
+        "# singular one is refused, in a comment.\n"
+        "# set         samples covariance          parameter  noise  condition   factor  inverse difference      "
+        "sum_|w|  cos_error\n";
+    for (const StabilityRow& row : rows) text += stability_line(row);
+    return text + stability_verdict(rows);
 }

@@ -9,8 +9,11 @@
 #include <vector>
 
 enum class SampleSet { random, duplicates, equator, pole, cluster };
-
-const char* name_of(SampleSet set);
+constexpr std::pair<const char*, SampleSet> sample_set_names[] = {{"random", SampleSet::random},
+                                                                  {"duplicates", SampleSet::duplicates},
+                                                                  {"equator", SampleSet::equator},
+                                                                  {"pole", SampleSet::pole},
+                                                                  {"cluster", SampleSet::cluster}};
 
 // n directions: random and uniform; half as many, each of them twice; all on the rim; all at the pole; all within 1e-8
 // of one direction.
@@ -43,3 +46,8 @@ StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double no
 
 // The sweeps: samples and noise; covariance and noise; sample set and noise.
 std::vector<StabilityRow> stability_rows();
+
+struct Stability {
+    std::vector<Option> options() { return {}; }
+    std::string report() const;
+};

@@ -1,31 +1,17 @@
 #include "experiments/tradeoff.h"
 
+#include "experiments/picture_error.h"
+#include "experiments/stopwatch.h"
 #include "quadrature/gaussian_process.h"
+#include "scene/desert.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <thread>
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double default_noise = 0.01;
-
-// Median seconds of an action; actions that are too short for the clock are repeated.
-template <class Action>
-double median_seconds(std::size_t repetitions, Action action) {
-    std::vector<double> seconds;
-    for (int run = 0; run < 7; ++run) {
-        const Clock::time_point start = Clock::now();
-        for (std::size_t i = 0; i < repetitions; ++i) action();
-        seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count() /
-                          static_cast<double>(repetitions));
-    }
-    std::sort(seconds.begin(), seconds.end());
-    return seconds[3];
-}
 
 StageTimes stage_times(const Integrand& integrand, std::size_t n) {
     const Sobolev covariance;
@@ -35,16 +21,14 @@ StageTimes stage_times(const Integrand& integrand, std::size_t n) {
     const Cholesky cholesky(q);
     const std::vector<double> z = hemisphere_integrals(covariance, directions);
     const QuadratureRule rule{directions, cholesky.solve(z)};
-    const std::size_t repetitions = 1 + 2000 / n;
     volatile double sink = 0;  // keeps the results, so that no stage is optimised away
     StageTimes seconds;
-    seconds.draw = median_seconds(repetitions, [&] { sink = uniform_directions(n, random).back().x; });
-    seconds.covariance =
-        median_seconds(repetitions, [&] { sink = covariance_matrix(covariance, default_noise, directions)(0, 0); });
-    seconds.factor = median_seconds(repetitions, [&] { sink = Cholesky(q).upper()(0, 0); });
-    seconds.z = median_seconds(repetitions, [&] { sink = hemisphere_integrals(covariance, directions).back(); });
-    seconds.weights = median_seconds(repetitions, [&] { sink = cholesky.solve(z).back(); });
-    seconds.estimate = median_seconds(repetitions, [&] { sink = apply(rule, integrand); });
+    seconds.draw = median_seconds([&] { sink = uniform_directions(n, random).back().x; });
+    seconds.covariance = median_seconds([&] { sink = covariance_matrix(covariance, default_noise, directions)(0, 0); });
+    seconds.factor = median_seconds([&] { sink = Cholesky(q).upper()(0, 0); });
+    seconds.z = median_seconds([&] { sink = hemisphere_integrals(covariance, directions).back(); });
+    seconds.weights = median_seconds([&] { sink = cholesky.solve(z).back(); });
+    seconds.estimate = median_seconds([&] { sink = apply(rule, integrand); });
     return seconds;
 }
 
@@ -68,8 +52,7 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, bool timed)
         const std::size_t sets = std::max<std::size_t>(10, 4000 / n);
         double mc = 0, bmc = 0;
         for (std::size_t set = 0; set < sets; ++set) {
-            Random random(1, (std::uint64_t{n} << 32) + set);
-            const std::vector<Vec3> directions = uniform_directions(n, random);
+            const std::vector<Vec3> directions = estimate_directions(Placement::uniform, n, 1, set);
             const double mc_error = apply(monte_carlo_rule(directions), integrand) - integrand.truth;
             const double bmc_error =
                 apply(bayesian_rule(covariance, default_noise, directions), integrand) - integrand.truth;
@@ -83,38 +66,6 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, bool timed)
     return rows;
 }
 
-double object_pixels(const Scene& scene, int width, int height) {
-    const Camera camera{width, height};
-    double count = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) count += intersect(scene, camera.ray(x, y)).has_value();
-    return count;
-}
-
-ImageError image_error(const Scene& scene, const std::vector<Image>& images, const Image& truth) {
-    const Camera camera{truth.width(), truth.height()};
-    const auto shows_object = [&](int x, int y) { return intersect(scene, camera.ray(x, y)).has_value(); };
-    double count = 0, sum = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
-    for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x) {
-            if (!shows_object(x, y)) continue;
-            const bool has_neighbour = x + 1 < truth.width() && shows_object(x + 1, y);
-            for (const Image& image : images) {
-                const Color here = image(x, y), error = here - truth(x, y);
-                const double squared = dot(error, error);
-                count += 3;
-                sum += here.x + here.y + here.z;
-                true_sum += truth(x, y).x + truth(x, y).y + truth(x, y).z;
-                squares += squared;
-                if (!has_neighbour) continue;
-                const Color next = image(x + 1, y) - truth(x + 1, y);
-                products += dot(error, next);
-                pair_squares += (squared + dot(next, next)) / 2;
-            }
-        }
-    return {std::sqrt(squares / count), products / pair_squares, sum / true_sum - 1};
-}
-
 namespace {
 
 constexpr std::uint64_t seeds = 4;
@@ -124,9 +75,7 @@ double fastest_render(const Scene& scene, const EnvironmentMap& environment, Ren
     double fastest = 0;
     settings.threads = 1;
     for (settings.seed = 1; settings.seed <= seeds; ++settings.seed) {
-        const Clock::time_point start = Clock::now();
-        render(scene, environment, Sobolev(), settings);
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        const double seconds = seconds_of([&] { render(scene, environment, Sobolev(), settings); });
         fastest = settings.seed == 1 ? seconds : std::min(fastest, seconds);
     }
     return fastest;
@@ -192,4 +141,126 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int si
                             timed ? seconds_per_megapixel(scene, environment, settings) : 0});
         }
     return rows;
+}
+
+namespace {
+
+std::string integral_table(const std::vector<IntegralCost>& rows, bool timed) {
+    std::string text =
+        line("# samples      mc_rmse     bmc_rmse   mc_samples%s\n",
+             timed ? "    draw_us       Q_us  factor_us       z_us weights_us  estim._us    pay_off" : "");
+    for (const IntegralCost& row : rows) {
+        text +=
+            line("%9zu %12.5g %12.5g %12.5g", row.samples, row.mc_error, row.bmc_error, row.equivalent_mc_samples());
+        const StageTimes& s = row.seconds;
+        if (timed) {
+            for (const double seconds : {s.draw, s.covariance, s.factor, s.z, s.weights, s.estimate})
+                text += line(" %10.3g", 1e6 * seconds);
+            text += line(" %10.3g", row.integrals_to_pay_off());
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string costly_operation(const std::vector<IntegralCost>& rows) {
+    std::string text;
+    for (const IntegralCost& row : {rows.front(), rows.back()}) {
+        const StageTimes& s = row.seconds;
+        const auto [seconds, name] =
+            std::max({std::pair(s.draw, "drawing directions"), std::pair(s.covariance, "building Q"),
+                      std::pair(s.factor, "factoring Q"), std::pair(s.z, "computing z"),
+                      std::pair(s.weights, "solving for the weights")});
+        text += line("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples,
+                     name, 100 * seconds / s.rule());
+    }
+    return text;
+}
+
+// What to type for the settings of a row.
+std::string settings_of(const PictureCost& row) {
+    const RenderSettings& s = row.settings;
+    return line("--method %s", name_of(s.method, method_names)) +
+           (s.method == Method::pool ? line(" --pool %zu", s.pool) : "") +
+           line(" --placement %s", name_of(s.placement, placement_names)) +
+           (s.prior.known == KnownPart::cosine ? " --known cosine" : "") +
+           (s.prior.mean == PriorMean::uniform ? " --mean uniform" : "") + line(" --samples %zu", s.samples);
+}
+
+// The row of classic Monte Carlo on random directions with as many samples.
+const PictureCost& classic(const std::vector<PictureCost>& rows, const PictureCost& row) {
+    return *std::find_if(rows.begin(), rows.end(), [&](const PictureCost& other) {
+        return other.settings.method == Method::mc && other.settings.placement == Placement::uniform &&
+               other.settings.samples == row.settings.samples;
+    });
+}
+
+double squared_ratio(double a, double b) { return a * a / (b * b); }
+
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
+    std::string text =
+        line("# method  pool placement        known   mean    samples       rmse correlation brightness mc_samples%s\n",
+             timed ? "  s/megapixel efficiency" : "");
+    for (const PictureCost& row : rows) {
+        const RenderSettings& s = row.settings;
+        const PictureCost& mc = classic(rows, row);
+        const double gain = squared_ratio(mc.rmse, row.rmse);
+        text += line("%-8s %5zu %-16s %-7s %-7s %7zu %10.5f %11.4f %10.5f %10.4g", name_of(s.method, method_names),
+                     s.pool, name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
+                     name_of(s.prior.mean, prior_mean_names), s.samples, row.rmse, row.correlation, row.brightness,
+                     static_cast<double>(s.samples) * gain);
+        if (timed)
+            text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
+                         gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string cheapest_settings(const std::vector<PictureCost>& rows, bool timed) {
+    std::string text;
+    for (const double target : {0.04, 0.02, 0.01}) {
+        const PictureCost* best = nullptr;
+        const auto cost = [&](const PictureCost& row) {
+            return timed ? row.seconds_per_megapixel : static_cast<double>(row.settings.samples);
+        };
+        for (const PictureCost& row : rows)
+            if (row.rmse <= target && (!best || cost(row) < cost(*best))) best = &row;
+        text += line("# RMSE %.2f for the %s: ", target, timed ? "least time" : "fewest samples") +
+                (best ? settings_of(*best) : "none of these") + '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<Option> Tradeoff::options() {
+    return {{"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
+             [this](const std::string& text) { environment = parse_name(text); }},
+            {"size", "W", "of the pictures, W x W pixels (default 64)",
+             [this](const std::string& text) { size = static_cast<int>(parse_integer(text, 2, 1024)); }},
+            {"no-times", "", "leave out what is measured and differs from run to run",
+             [this](const std::string&) { timed = false; }}};
+}
+
+std::string Tradeoff::report() const {
+    const std::vector<IntegralCost> integrals = integral_costs(practice_integrands().back(), timed);
+    const std::vector<PictureCost> pictures = picture_costs(load_environment(environment), size, timed);
+    return "# What an integral costs: the environment integrand, Sobolev 3/2, noise 0.01; errors are root mean "
+           "squares.\n"
+           "# mc_samples: samples with which Monte Carlo has the error of Bayesian Monte Carlo.\n" +
+           std::string(timed ? "# Measured here: microseconds of each stage, and the integrals after which a rule made "
+                               "once has cost\n"
+                               "# less time than Monte Carlo at equal error.\n"
+                             : "") +
+           integral_table(integrals, timed) + (timed ? costly_operation(integrals) : "") +
+           "\n\n# What a picture costs: the sphere scene against a dense quadrature, four seeds a row. rmse: linear, "
+           "over the\n"
+           "# pixels that show an object; correlation: of the errors of neighbouring pixels; brightness: relative "
+           "error of\n"
+           "# the mean; mc_samples: samples with which mc has this rmse.\n" +
+           (timed ? "# Measured here: seconds for a megapixel of objects on one core, and 1 / (rmse^2 seconds) "
+                    "relative to mc.\n"
+                  : "") +
+           picture_table(pictures, timed) + cheapest_settings(pictures, timed);
 }

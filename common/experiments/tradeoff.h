@@ -2,6 +2,7 @@
 // Errors are functions of the arguments; seconds are measured and differ from run to run.
 #pragma once
 
+#include "experiments/command.h"
 #include "experiments/integrands.h"
 #include "scene/render.h"
 
@@ -44,11 +45,11 @@ struct PictureCost {
 // 80 and 160 samples.
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed);
 
-// The number of pixels that show an object.
-double object_pixels(const Scene& scene, int width, int height);
+struct Tradeoff {
+    std::string environment;  // empty: the built-in one
+    int size = 64;
+    bool timed = true;
 
-// What images differ from the truth by, over the pixels that show an object.
-struct ImageError {
-    double rmse, correlation, brightness;
+    std::vector<Option> options();
+    std::string report() const;
 };
-ImageError image_error(const Scene& scene, const std::vector<Image>& images, const Image& truth);

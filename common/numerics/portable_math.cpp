@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -17,18 +15,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // ln 2 = ln2_hi + ln2_lo. ln2_hi has 32 bits, so that k * ln2_hi is exact for every binary exponent k.
 constexpr double ln2_hi = 0x1.62e42feep-1;
 constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
-
-std::uint64_t bits_of(double x) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-double from_bits(std::uint64_t bits) {
-    double x;
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
-}
 
 // 2^k for -1022 <= k <= 1023.
 double power_of_two(int k) { return from_bits(static_cast<std::uint64_t>(1023 + k) << 52); }

@@ -26,6 +26,8 @@
 #endif  // UNGUARDED_ARITHMETIC
 
 #include <cfloat>
+#include <cstdint>
+#include <cstring>
 
 #ifndef UNGUARDED_ARITHMETIC
 static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-bit x86 use -msse2 -mfpmath=sse");
@@ -34,6 +36,19 @@ static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-b
 namespace portable {
 
 constexpr double pi = 3.14159265358979323846;
+
+// The bits of a double, and the double of such bits.
+inline std::uint64_t bits_of(double x) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+inline double from_bits(std::uint64_t bits) {
+    double x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
 
 // e^x. Error at most 1 ulp (unit in the last place). exp(-inf) = 0, exp(inf) = inf, exp(nan) = nan; overflow gives inf,
 // underflow goes through the subnormal numbers to 0.

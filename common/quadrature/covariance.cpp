@@ -207,3 +207,8 @@ double SquaredExponential::double_integral(KnownPart known) const {
     }
     return 2 * pi * (even_part_ + 2 * pi * sum);
 }
+
+std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double parameter) {
+    if (family == CovarianceFamily::sobolev) return std::make_unique<Sobolev>(parameter);
+    return std::make_unique<SquaredExponential>(parameter);
+}

@@ -10,10 +10,14 @@
 
 #include "numerics/portable_math.h"
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 // What is known of the integrand: p = 1, or p = cos(theta), which leaves only the incident radiance to be modelled.
 enum class KnownPart { nothing, cosine };
+constexpr std::pair<const char*, KnownPart> known_part_names[] = {{"nothing", KnownPart::nothing},
+                                                                  {"cosine", KnownPart::cosine}};
 
 class Covariance {
 public:
@@ -78,3 +82,11 @@ private:
     double kappa_;      // 1 / l^2
     double even_part_;  // pi (1 - e^(-2 kappa)) / kappa: what z has in common for every direction
 };
+
+// The families of covariances that experiments and options name, each with one parameter: smoothness, length-scale.
+enum class CovarianceFamily { sobolev, squared_exponential };
+constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
+    {"sobolev", CovarianceFamily::sobolev}, {"squared-exponential", CovarianceFamily::squared_exponential}};
+
+// Throws what the family's constructor throws.
+std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double parameter);

@@ -19,6 +19,8 @@
 #include <vector>
 
 enum class PriorMean { zero, uniform };
+constexpr std::pair<const char*, PriorMean> prior_mean_names[] = {{"zero", PriorMean::zero},
+                                                                  {"uniform", PriorMean::uniform}};
 
 // What is assumed of the integrand besides the covariance.
 struct Prior {

@@ -22,6 +22,10 @@ inline double known_part(KnownPart known, Vec3 direction) { return known == Know
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.
 enum class Placement { uniform, fibonacci, cosine, cosine_fibonacci };
+constexpr std::pair<const char*, Placement> placement_names[] = {{"uniform", Placement::uniform},
+                                                                 {"fibonacci", Placement::fibonacci},
+                                                                 {"cosine", Placement::cosine},
+                                                                 {"cosine-fibonacci", Placement::cosine_fibonacci}};
 
 inline bool is_lattice(Placement placement) {
     return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;

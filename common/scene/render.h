@@ -24,6 +24,11 @@ enum class Method {
     rotated,  // the same, its directions turned at random about the normal in every pixel
     pool      // a random one of several Gaussian processes, turned at random
 };
+constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
+                                                           {"direct", Method::direct},
+                                                           {"single", Method::single},
+                                                           {"rotated", Method::rotated},
+                                                           {"pool", Method::pool}};
 
 struct RenderSettings {
     Method method = Method::pool;

@@ -1,0 +1,29 @@
+#include "experiments/picture_error.h"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("the error of an image: root mean square, neighbours' correlation and brightness") {
+    const Scene scene = sphere_scene();
+    Image truth(40, 40), brighter(40, 40), striped(40, 40);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            truth.set(x, y, {0.5, 0.5, 0.5});
+            brighter.set(x, y, {0.625, 0.625, 0.625});
+            striped.set(x, y, x % 2 ? Color{0.75, 0.75, 0.75} : Color{0.25, 0.25, 0.25});
+        }
+    const ImageError same = image_error(scene, {truth}, truth);
+    CHECK(same.rmse == 0);
+    CHECK(same.brightness == 0);
+    // These differences are exact in binary.
+    const ImageError constant = image_error(scene, {brighter}, truth);
+    CHECK(constant.rmse == 0.125);
+    CHECK(constant.correlation == 1);
+    CHECK(constant.brightness == 0.25);
+    const ImageError alternating = image_error(scene, {striped}, truth);
+    CHECK(alternating.rmse == 0.25);
+    CHECK(alternating.correlation == -1);
+}
+
+TEST_CASE("a million object pixels of the 500 x 500 picture are 166094 of 250000") {
+    CHECK(object_pixels(sphere_scene(), 500, 500) == 166094);
+}
