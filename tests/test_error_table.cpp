@@ -59,3 +59,35 @@ TEST_CASE("an error table is reported as numbers only") {
     REQUIRE(rows.size() == 1);
     CHECK(rows[0] == std::vector<std::string>{"20", "0.25", "0.0625", "0.125", "4", "320", "0.5"});
 }
+
+TEST_CASE("what is only rounding counts as no error") {
+    // Monte Carlo integrates a constant exactly but for the rounding of its sum; so does an unknown uniform light the
+    // cosine, whose predicted error is rounding, too.
+    ErrorSettings settings;
+    settings.samples = {30};
+    const ErrorRow constant = error_table(practice_integrands()[0], Sobolev(), SquaredExponential(), settings)[0];
+    CHECK(constant.mc_error == 0);
+    CHECK(constant.gain() == 0);
+    CHECK(constant.equivalent_mc_samples() == 0);
+    CHECK(constant.bmc_error > 1e-3);
+    settings.prior.mean = PriorMean::uniform;
+    const ErrorRow cosine = error_table(practice_integrands()[1], Sobolev(), SquaredExponential(), settings)[0];
+    CHECK(cosine.bmc_error == 0);
+    CHECK(cosine.bmc_predicted == 0);
+    CHECK(std::isinf(cosine.gain()));
+}
+
+TEST_CASE("a rival that is refused leaves nan in its column and the reason in a comment, and the table complete") {
+    ErrorSettings settings;
+    settings.samples = {20, 100};
+    settings.noise = 0;
+    const auto table = error_table(practice_integrands()[1], Sobolev(), SquaredExponential(5), settings);
+    const std::string report = error_report(practice_integrands()[1], table);
+    const auto rows = rows_of(report);
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1][6] == "nan");
+    CHECK(std::stod(rows[1][2]) > 0);
+    CHECK(report.find(
+              "\n# squared-exponential, length-scale 5, 100 directions: the matrix is not positive definite: pivot ") !=
+          std::string::npos);
+}

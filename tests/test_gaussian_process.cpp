@@ -149,6 +149,47 @@ TEST_CASE("an unknown mean adds to the variance, and its amplitude, evidence and
     CHECK(std::fabs(unknown.leave_one_out(lit)[7] - unknown.leave_one_out(values)[7]) < 1e-11);
 }
 
+TEST_CASE("the amplitude of an unknown mean is that of the deviations from its best estimate, over n - 1") {
+    const std::vector<Vec3> directions{{0, 1, 0}, normalize({1, 1, 0})};
+    const GaussianProcess process(Sobolev(), 0.1, directions, {KnownPart::nothing, PriorMean::uniform});
+    const double a = 8.0 / 3 + 0.01, b = 8.0 / 3 - length(directions[0] - directions[1]), det = a * a - b * b;
+    // u^T Q^-1 v for Q = [a b; b a].
+    const auto product = [&](double u0, double u1, double v0, double v1) {
+        return (a * (u0 * v0 + u1 * v1) - b * (u0 * v1 + u1 * v0)) / det;
+    };
+    const double h = directions[1].y, information = product(1, h, 1, h), radiance = product(1, h, 1, 3) / information;
+    const double d0 = 1 - radiance, d1 = 3 - radiance * h, squares = product(d0, d1, d0, d1);
+    // About ten operations on numbers of size 3 over a determinant of 4.
+    CHECK(std::fabs(process.amplitude({1, 3}) - std::sqrt(squares)) < 1e-14);
+    CHECK(std::fabs(process.log_evidence({1, 3}) + 0.5 * (std::log(squares) + std::log(det) + std::log(information))) <
+          1e-14);
+}
+
+TEST_CASE("values that are a uniform light leave an amplitude of rounding") {
+    const std::vector<Vec3> directions = random_directions(40, 8);
+    const GaussianProcess process(Sobolev(), 0.01, directions, {KnownPart::nothing, PriorMean::uniform});
+    // Deviations of a few eps, amplified by the root of Q's condition number, 1e2.
+    CHECK(process.amplitude(values_of(directions, [](Vec3 w) { return 7 * w.y; })) < 1e-13);
+}
+
+TEST_CASE("one value tells an unknown mean and no amplitude, and a light along the horizon tells nothing") {
+    const Prior unknown{KnownPart::nothing, PriorMean::uniform};
+    const GaussianProcess one(Sobolev(), 0.01, {{0, 1, 0}}, unknown);
+    CHECK(std::fabs(one.integral({2}) - 2 * pi) < 1e-14);
+    const char* const text =
+        "one value determines an unknown mean and no amplitude; give two directions or a zero mean";
+    CHECK_THROWS_WITH_AS(one.amplitude({2}), text, std::invalid_argument);
+    CHECK_THROWS_WITH_AS(one.standard_error({2}), text, std::invalid_argument);
+    CHECK_THROWS_WITH_AS(one.log_evidence({2}), text, std::invalid_argument);
+    CHECK_THROWS_WITH_AS(one.leave_one_out({2}), text, std::invalid_argument);
+    for (const double height : {0.0, 1e-200})
+        CHECK_THROWS_WITH_AS(
+            GaussianProcess(Sobolev(), 0.01, {{1, height, 0}, {0, height, 1}}, unknown),
+            "the prior mean uniform needs a direction above the horizon: on it a uniform light brings nothing",
+            std::invalid_argument);
+    CHECK_NOTHROW(GaussianProcess(Sobolev(), 0.01, {{1, 0, 0}}, {KnownPart::cosine, PriorMean::uniform}));
+}
+
 TEST_CASE("85 to 99.9 percent of the errors lie within two predicted standard errors where the cosine is known") {
     const double truth = kinked_integral();
     for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform})
@@ -209,4 +250,7 @@ TEST_CASE("a process refuses what is no sample set, and values that do not belon
 TEST_CASE("two equal directions without noise are not positive definite") {
     CHECK_THROWS_AS(GaussianProcess(Sobolev(), 0, {{0, 1, 0}, {0, 1, 0}}), NotPositiveDefinite);
     CHECK_NOTHROW(GaussianProcess(Sobolev(), 0.01, {{0, 1, 0}, {0, 1, 0}}));
+    CHECK_THROWS_WITH(GaussianProcess(SquaredExponential(0.5), 0, {{0, 1, 0}, {0, 1, 0}}),
+                      "squared-exponential, length-scale 0.5, 2 directions: the matrix is not positive definite: pivot "
+                      "1 is 0 and must exceed 4.4e-16; raise the noise");
 }

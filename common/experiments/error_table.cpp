@@ -40,6 +40,23 @@ void set_samples(ErrorSettings& settings, const std::string& text) {
                          std::to_string(max_rows) + " are allowed; give a range a larger STEP");
 }
 
+// Of so many errors; 0 where it is only rounding.
+double mean(double sum, std::size_t estimates, const Integrand& integrand) {
+    const double error = sum / static_cast<double>(estimates);
+    return error < 1e-12 * std::fabs(integrand.truth) ? 0 : error;
+}
+
+void add_rival_error(ErrorRow& row, const Integrand& integrand, const Covariance& rival, double noise,
+                     const std::vector<Vec3>& directions) {
+    if (!row.refusal.empty()) return;
+    try {
+        const GaussianProcess process(rival, noise, directions);
+        row.rival_error += std::fabs(process.integral(sample(integrand, directions)) - integrand.truth);
+    } catch (const NotPositiveDefinite& error) {
+        row.refusal = error.what();
+    }
+}
+
 }  // namespace
 
 double ErrorRow::gain() const {
@@ -62,12 +79,11 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& 
             const GaussianProcess process(covariance, settings.noise, directions, settings.prior);
             row.bmc_error += std::fabs(process.integral(values) - integrand.truth);
             row.bmc_predicted += process.standard_error(values);
-            const GaussianProcess rival_process(rival, settings.noise, directions);
-            row.rival_error += std::fabs(rival_process.integral(sample(integrand, directions)) - integrand.truth);
+            add_rival_error(row, integrand, rival, settings.noise, directions);
         }
-        row.mc_error /= static_cast<double>(settings.mc_estimates);
-        for (double* mean : {&row.bmc_error, &row.bmc_predicted, &row.rival_error})
-            *mean /= static_cast<double>(settings.bmc_estimates);
+        row.mc_error = mean(row.mc_error, settings.mc_estimates, integrand);
+        for (double* sum : {&row.bmc_error, &row.bmc_predicted, &row.rival_error})
+            *sum = mean(*sum, settings.bmc_estimates, integrand);
         rows.push_back(row);
     }
     return rows;
@@ -76,9 +92,11 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& 
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows) {
     std::string text = "# integral of " + integrand.formula + line(" = %.10f\n", integrand.truth) +
                        "# samples     mc_error    bmc_error bmc_predicted        mc/bmc   mc_samples     se_error\n";
-    for (const ErrorRow& row : rows)
-        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
-                     row.bmc_predicted, row.gain(), row.equivalent_mc_samples(), row.rival_error);
+    for (const ErrorRow& row : rows) {
+        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g ", row.samples, row.mc_error, row.bmc_error,
+                     row.bmc_predicted, row.gain(), row.equivalent_mc_samples());
+        text += row.refusal.empty() ? line("%12.5g\n", row.rival_error) : line("%12s\n# ", "nan") + row.refusal + '\n';
+    }
     return text;
 }
 
@@ -107,6 +125,9 @@ std::string ErrorTables::report() const {
     chosen.noise = model.noise;
     chosen.prior = model.prior;
     chosen.seed = model.seed;
+    const bool one_sample = std::count(settings.samples.begin(), settings.samples.end(), 1u) > 0;
+    if (model.prior.mean == PriorMean::uniform && one_sample)
+        throw UsageError("--samples: 1 with --mean uniform leaves no error bar; give at least 2, or --mean zero");
     const std::unique_ptr<Covariance> covariance = model.make_covariance();
     const SquaredExponential rival(model.length_scale);
     std::string text, names;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "experiments/command.h"
@@ -20,13 +21,15 @@ struct ErrorSettings {
 };
 
 // One number of samples n: mean absolute errors of Monte Carlo, of Bayesian Monte Carlo with the covariance and with
-// the rival covariance, and the mean standard error that the first predicts.
+// the rival covariance, and the mean standard error that the first predicts. What is less than 1e-12 of the truth is
+// rounding and counts as 0, so that a program that multiplies in another order has the same row.
 struct ErrorRow {
     std::size_t samples;
     double mc_error;
     double bmc_error;
     double bmc_predicted;
     double rival_error;
+    std::string refusal = "";  // why the rival's covariance matrix was refused; rival_error is not set then
 
     // How many times smaller the error of Bayesian Monte Carlo is.
     double gain() const;

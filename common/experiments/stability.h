@@ -5,6 +5,7 @@
 #include "experiments/models.h"
 #include "numerics/cholesky.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,14 @@ struct Residuals {
     double condition;  // |A| |A^-1|; all norms are row_sum_norm
 };
 
-// The residuals of a factored symmetric matrix, given by its upper triangle.
-Residuals residuals_of(const Matrix& upper_triangle, const Cholesky& cholesky, const Matrix& inverse);
+// The residuals of a factored symmetric n x n matrix.
+Residuals residuals_of(const Matrix& a, const Cholesky& cholesky, const Matrix& inverse);
+
+// x with A x = b to the last digit, from the factor of the symmetric A: a solution corrected until it stands, with the
+// residuals b - A x in doubled arithmetic (Golub & Van Loan, "Matrix Computations", section 3.5.3). Nothing if the
+// corrections do not shrink: then the factor has no correct digit to correct with.
+std::optional<std::vector<double>> refined_solution(const Matrix& a, const Cholesky& cholesky,
+                                                    const std::vector<double>& b);
 
 struct StabilityRow {
     SampleSet set;
@@ -37,9 +44,10 @@ struct StabilityRow {
     double noise;
     std::string refusal;  // why the covariance matrix was refused; then the numbers below are not set
     Residuals residuals;
-    double weight_difference;  // largest difference of the weights by solve and by inverse, over the largest weight
-    double absolute_weights;   // sum of |w|
-    double cosine_error;       // of the estimate of the integral of cos(theta)
+    double weight_error;      // of the weights by solve, over the largest weight; infinite if no digit is right
+    double inverse_error;     // of the weights by inverse
+    double absolute_weights;  // sum of |w|
+    double cosine_error;      // of the estimate of the integral of cos(theta)
 };
 
 StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double noise);

@@ -7,12 +7,11 @@
 
 namespace {
 
-std::string describe_pivot(std::size_t index, double value, double rounding_error) {
+std::string describe_pivot(std::size_t index, double value, double least) {
     char text[160];
-    std::snprintf(
-        text, sizeof text,
-        "the matrix is not positive definite: pivot %zu is %.3g, within its rounding error of %.2g; raise the noise",
-        index, value, rounding_error);
+    std::snprintf(text, sizeof text,
+                  "the matrix is not positive definite: pivot %zu is %.3g and must exceed %.2g; raise the noise", index,
+                  value, least);
     return text;
 }
 
@@ -64,8 +63,8 @@ void divide(double* row, double divisor, std::size_t first, std::size_t last) {
 // Row k of A, less the multiples of the rows above, becomes row k of the factor.
 void finish_row(Matrix& upper, std::size_t k, double diagonal) {
     double* row = upper.row(k);
-    const double rounding_error = static_cast<double>(k + 1) * DBL_EPSILON * diagonal;
-    if (!(row[k] > 0 && row[k] > rounding_error)) throw NotPositiveDefinite(k, row[k], rounding_error);
+    const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(diagonal);
+    if (!(row[k] > least)) throw NotPositiveDefinite(k, row[k], least);
     row[k] = std::sqrt(row[k]);
     divide(row, row[k], k + 1, upper.columns());
     std::fill(row, row + k, 0.0);
@@ -109,10 +108,11 @@ void substitute_back(const Matrix& upper, Matrix& x, std::size_t i) {
 
 }  // namespace
 
-NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double rounding_error)
-    : std::runtime_error(describe_pivot(pivot_index, pivot_value, rounding_error)),
-      index(pivot_index),
-      value(pivot_value) {}
+NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least)
+    : std::runtime_error(describe_pivot(pivot_index, pivot_value, least)), index(pivot_index), value(pivot_value) {}
+
+NotPositiveDefinite::NotPositiveDefinite(const std::string& subject, const NotPositiveDefinite& error)
+    : std::runtime_error(subject + error.what()), index(error.index), value(error.value) {}
 
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {
     const std::size_t n = upper_.rows();

@@ -10,13 +10,18 @@
 #include "numerics/matrix.h"
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
-// Thrown where a pivot does not exceed the rounding error that it carries: in double precision the matrix is not
-// positive definite. The pivot of row k is a_kk less k squares, none larger than a_kk, so that error is about (k + 1)
-// eps a_kk (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, section 10.1).
+// Thrown where a pivot is not positive or too small to be told from 0: the pivot of row k is a_kk less k squares, none
+// larger than a_kk, and must exceed the rounding error of these k + 1 operations, (k + 1) eps a_kk (Higham, "Accuracy
+// and Stability of Numerical Algorithms", 2002, section 10.1). The rule sees this row alone. What the rows above have
+// lost is not in it, so a matrix that passes can still be singular to working precision: the condition number tells.
 struct NotPositiveDefinite : std::runtime_error {
-    NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double rounding_error);
+    NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least);
+
+    // The same, the text after what it is about.
+    NotPositiveDefinite(const std::string& subject, const NotPositiveDefinite& error);
 
     std::size_t index;  // row of the pivot, from 0
     double value;

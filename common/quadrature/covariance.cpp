@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
 using portable::pi;
 
 namespace {
+
+std::string in_words(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
 
 // The smallest modulus that is told apart: z is linear in c near the equator, so this moves it by less than 1e-17.
 constexpr double smallest_modulus = 0x1p-60;
@@ -152,6 +159,8 @@ double Sobolev::double_integral(KnownPart known) const {
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
 
+std::string Sobolev::description() const { return "sobolev, smoothness " + in_words(exponent_ + 1); }
+
 namespace {
 
 void require_no_known_part(KnownPart known) {
@@ -206,6 +215,10 @@ double SquaredExponential::double_integral(KnownPart known) const {
         sum += t * (w - 1 / (2.0 * (m + 1)));
     }
     return 2 * pi * (even_part_ + 2 * pi * sum);
+}
+
+std::string SquaredExponential::description() const {
+    return "squared-exponential, length-scale " + in_words(1 / std::sqrt(kappa_));
 }
 
 std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double parameter) {

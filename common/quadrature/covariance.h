@@ -11,6 +11,7 @@
 #include "numerics/portable_math.h"
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,9 @@ public:
 
     // zz. Throws as hemisphere_integral does.
     virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
+
+    // Its name and parameter, for an error message.
+    virtual std::string description() const = 0;
 };
 
 // k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s: the reproducing kernel of the Sobolev space of smoothness s on the sphere,
@@ -55,6 +59,7 @@ public:
     void covariances(std::vector<double>& squared_chords) const override;
     void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
+    std::string description() const override;
 
 private:
     bool has_closed_form() const { return nodes_.empty(); }
@@ -77,6 +82,7 @@ public:
     double operator()(double squared_chord) const override;
     double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
+    std::string description() const override;
 
 private:
     double kappa_;      // 1 / l^2

@@ -13,6 +13,16 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
     return sum;
 }
 
+// The error says which covariance was refused.
+Cholesky factor(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
+    try {
+        return Cholesky(covariance_matrix(covariance, noise, directions));
+    } catch (const NotPositiveDefinite& error) {
+        throw NotPositiveDefinite(covariance.description() + ", " + std::to_string(directions.size()) + " directions: ",
+                                  error);
+    }
+}
+
 }  // namespace
 
 std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
@@ -51,20 +61,22 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior)
     : directions_(std::move(directions)),
       z_(hemisphere_integrals(covariance, directions_, prior.known)),
-      cholesky_(covariance_matrix(covariance, noise, directions_)),
+      cholesky_(factor(covariance, noise, directions_)),
       weights_(cholesky_.solve(z_)),
       variance_(std::max(0.0, covariance.double_integral(prior.known) - sum_of_products(z_, weights_))) {
     if (prior.mean == PriorMean::uniform) add_uniform_light(prior.known);
 }
 
 void GaussianProcess::add_uniform_light(KnownPart known) {
-    std::vector<double> h;
-    for (const Vec3& direction : directions_) h.push_back(known == KnownPart::cosine ? 1 : direction.y);
-    light_ = cholesky_.solve(h);
-    light_information_ = sum_of_products(h, light_);
-    const double missing = portable::pi - sum_of_products(h, weights_);
-    variance_ += missing * missing / light_information_;
-    for (std::size_t i = 0; i < h.size(); ++i) weights_[i] += light_[i] * (missing / light_information_);
+    for (const Vec3& direction : directions_) mean_.push_back(known == KnownPart::cosine ? 1 : direction.y);
+    solved_mean_ = cholesky_.solve(mean_);
+    mean_information_ = sum_of_products(mean_, solved_mean_);
+    const double missing = portable::pi - sum_of_products(mean_, weights_);
+    variance_ += missing * missing / mean_information_;
+    if (!std::isfinite(variance_))
+        throw std::invalid_argument(
+            "the prior mean uniform needs a direction above the horizon: on it a uniform light brings nothing");
+    for (std::size_t i = 0; i < mean_.size(); ++i) weights_[i] += solved_mean_[i] * (missing / mean_information_);
 }
 
 double GaussianProcess::integral(const std::vector<double>& values) const {
@@ -74,18 +86,24 @@ double GaussianProcess::integral(const std::vector<double>& values) const {
 
 double GaussianProcess::freedom() const {
     const double n = static_cast<double>(directions_.size());
-    return light_.empty() ? n : std::max(1.0, n - 1);
+    if (mean_.empty()) return n;
+    if (n == 1)
+        throw std::invalid_argument(
+            "one value determines an unknown mean and no amplitude; give two directions or a zero mean");
+    return n - 1;
+}
+
+std::vector<double> GaussianProcess::deviations(std::vector<double> values) const {
+    require_one_value_per_direction(values);
+    if (mean_.empty()) return values;
+    const double radiance = sum_of_products(solved_mean_, values) / mean_information_;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= radiance * mean_[i];
+    return values;
 }
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    require_one_value_per_direction(values);
-    const std::vector<double> whitened = cholesky_.solve_lower(values);
-    double squares = sum_of_products(whitened, whitened);
-    if (!light_.empty()) {
-        const double explained = sum_of_products(light_, values);
-        squares = std::max(0.0, squares - explained * explained / light_information_);
-    }
-    return std::sqrt(squares / freedom());
+    const std::vector<double> whitened = cholesky_.solve_lower(deviations(values));
+    return std::sqrt(sum_of_products(whitened, whitened) / freedom());
 }
 
 double GaussianProcess::standard_error(const std::vector<double>& values) const {
@@ -93,18 +111,17 @@ double GaussianProcess::standard_error(const std::vector<double>& values) const 
 }
 
 double GaussianProcess::log_evidence(const std::vector<double>& values) const {
-    const double light = light_.empty() ? 0 : portable::log(light_information_);
-    return -freedom() * portable::log(amplitude(values)) - 0.5 * (cholesky_.log_determinant() + light);
+    const double information = mean_.empty() ? 0 : portable::log(mean_information_);
+    return -freedom() * portable::log(amplitude(values)) - 0.5 * (cholesky_.log_determinant() + information);
 }
 
 std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values) const {
-    require_one_value_per_direction(values);
+    freedom();  // throws where nothing is left to predict from
     const Matrix inverse = inverse_covariance();
-    std::vector<double> residuals = cholesky_.solve(values);
-    const double light = light_.empty() ? 0 : sum_of_products(light_, values) / light_information_;
+    std::vector<double> residuals = cholesky_.solve(deviations(values));
     for (std::size_t i = 0; i < residuals.size(); ++i) {
-        const double h = light_.empty() ? 0 : light_[i];
-        residuals[i] = (residuals[i] - h * light) / (inverse(i, i) - h * h / light_information_);
+        const double h = mean_.empty() ? 0 : solved_mean_[i];
+        residuals[i] /= inverse(i, i) - h * h / mean_information_;
     }
     return residuals;
 }

@@ -32,8 +32,9 @@ class GaussianProcess {
 public:
     // n >= 1 unit directions in the upper hemisphere; noise >= 0 is the standard deviation of the samples' error in
     // units of the amplitude, and what keeps Q positive definite where samples nearly coincide. Throws
-    // std::invalid_argument for an empty set, a direction below the horizon or a bad noise; NotPositiveDefinite.
-    // A known part that the covariance has no closed form for is a std::invalid_argument, too.
+    // std::invalid_argument for an empty set, a direction below the horizon, a bad noise, a known part that the
+    // covariance has no closed form for, and for the mean uniform if every direction lies on the horizon, where such a
+    // light brings nothing (nothing known); NotPositiveDefinite, its text naming the covariance.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior = {});
 
     const std::vector<Vec3>& directions() const { return directions_; }
@@ -57,7 +58,8 @@ public:
     double variance() const { return variance_; }
 
     // The amplitude a of k that makes the values most likely, a^2 = Y^T Q^-1 Y / n; for an unknown mean of what its
-    // best estimate leaves, and over n - 1.
+    // best estimate leaves, and over n - 1. This and all below throw std::invalid_argument for an unknown mean and
+    // n = 1: the one value is the mean, and nothing is left to tell an amplitude from.
     double amplitude(const std::vector<double>& values) const;
 
     // Standard error that the process predicts for integral(values): amplitude * sqrt(variance).
@@ -65,7 +67,8 @@ public:
 
     // Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
     // (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8); for an unknown mean n - 1 takes
-    // the place of n and -1/2 log(h^T Q^-1 h) is added (ibid., eq. 2.45).
+    // the place of n and -1/2 log(h^T Q^-1 h) is added (ibid., eq. 2.45). The constant depends on the mean, and the
+    // values on the known part: compare processes of one mean and one known part only.
     double log_evidence(const std::vector<double>& values) const;
 
     // What each value differs by from its prediction by all the others: (Q^-1 Y)_i / (Q^-1)_ii (ibid., eq. 5.12),
@@ -76,14 +79,16 @@ private:
     void require_one_value_per_direction(const std::vector<double>& values) const;
     void add_uniform_light(KnownPart known);
     double freedom() const;
+    std::vector<double> deviations(std::vector<double> values) const;
 
     std::vector<Vec3> directions_;
     std::vector<double> z_;
     Cholesky cholesky_;
     std::vector<double> weights_;
     double variance_;
-    std::vector<double> light_;     // Q^-1 h; empty for the mean zero
-    double light_information_ = 1;  // h^T Q^-1 h
+    std::vector<double> mean_;         // h; empty for the mean zero
+    std::vector<double> solved_mean_;  // Q^-1 h
+    double mean_information_ = 1;      // h^T Q^-1 h
 };
 
 // z of each direction. Throws std::invalid_argument for one below the horizon.
