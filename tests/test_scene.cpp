@@ -80,3 +80,25 @@ TEST_CASE("shadow tests agree with intersection for every direction") {
     CHECK(shadowed > 1000);
     CHECK(lit > 1000);
 }
+
+TEST_CASE("a rectangle shadows what lies below it as well as what lies above") {
+    const Rectangle rectangle = sphere_scene().rectangle;
+    for (const double side : {-1.0, 1.0}) {
+        const RectangleShadow shadow(rectangle, {1, rectangle.y + 2 * side, -5});
+        CHECK(shadow.covers({0, -side, 0}));
+        CHECK(!shadow.covers({0, side, 0}));
+        CHECK(shadow.covers(normalize({2.9, -2 * side, 0})));  // x = 3.9, of at most 4
+        CHECK(!shadow.covers(normalize({3.1, -2 * side, 0})));
+        CHECK(shadow.covers(normalize({0, -2 * side, -3.9})));  // z = -8.9, of at least -9
+        CHECK(!shadow.covers(normalize({0, -2 * side, -4.1})));
+    }
+}
+
+TEST_CASE("the pixels that show an object are counted") {
+    CHECK(object_pixels(sphere_scene(), 1, 1) == 1);  // its ray meets the sphere
+    int hits = 0;
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 30; ++x) hits += intersect(sphere_scene(), Camera{30, 20}.ray(x, y)).has_value();
+    CHECK(object_pixels(sphere_scene(), 30, 20) == hits);
+    CHECK(hits < 600);
+}

@@ -2,14 +2,6 @@
 
 #include <cmath>
 
-double object_pixels(const Scene& scene, int width, int height) {
-    const Camera camera{width, height};
-    double count = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) count += intersect(scene, camera.ray(x, y)).has_value();
-    return count;
-}
-
 ImageError image_error(const Scene& scene, const std::vector<Image>& images, const Image& truth) {
     const Camera camera{truth.width(), truth.height()};
     const auto shows_object = [&](int x, int y) { return intersect(scene, camera.ray(x, y)).has_value(); };

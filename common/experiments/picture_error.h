@@ -8,9 +8,6 @@
 #include "scene/image.h"
 #include "scene/scene.h"
 
-// The number of pixels that show an object.
-double object_pixels(const Scene& scene, int width, int height);
-
 // What images differ from the truth by, over the pixels that show an object.
 struct ImageError {
     double rmse, correlation, brightness;

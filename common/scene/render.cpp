@@ -1,7 +1,9 @@
 #include "scene/render.h"
 
+#include <algorithm>
 #include <atomic>
 #include <future>
+#include <optional>
 
 namespace {
 
@@ -22,56 +24,63 @@ struct CosineRule {
     }
 };
 
-// What one thread reuses from pixel to pixel: where each direction ends, and with what weight.
-struct Samples {
-    std::vector<double> weight;
-    std::vector<int> texel;
-};
+// Frame, shadow and grid come by value: what only these loops can see, their stores cannot change, so they vectorise.
 
-// Frame, shadow and grid come by value: what only this loop can see, its stores cannot change, so it vectorises.
-
-// The weight of every direction that leaves the surface past the other object; 0 for those in shadow.
+// The weight of every direction [begin, end) that leaves the surface past the other object; 0 for those in shadow.
 template <class Shadow>
-void find_weights(const CosineRule& rule, Frame frame, Shadow shadow, double* weight) {
+void find_weights(const CosineRule& rule, std::size_t begin, std::size_t end, Frame frame, Shadow shadow,
+                  double* weight) {
     const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data(), *rule_weight = rule.weight.data();
-    for (std::size_t i = 0; i < rule.weight.size(); ++i)
-        weight[i] = shadow.covers(frame.to_world({x[i], y[i], z[i]})) ? 0 : rule_weight[i];
+    for (std::size_t i = begin; i < end; ++i)
+        weight[i - begin] = shadow.covers(frame.to_world({x[i], y[i], z[i]})) ? 0 : rule_weight[i];
 }
 
-// The texel that every direction ends in.
-void find_texels(const CosineRule& rule, Frame frame, TexelGrid grid, int* texel) {
+// The texel that every direction [begin, end) ends in.
+void find_texels(const CosineRule& rule, std::size_t begin, std::size_t end, Frame frame, TexelGrid grid, int* texel) {
     const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data();
-    for (std::size_t i = 0; i < rule.weight.size(); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         const Vec3 direction = frame.to_world({x[i], y[i], z[i]});
-        texel[i] = grid.texel_index(direction.x, direction.y, direction.z);
+        texel[i - begin] = grid.texel_index(direction.x, direction.y, direction.z);
     }
 }
 
-Color weighted_sum(const Samples& samples, const float* texels) {
-    Color sum;
-    for (std::size_t i = 0; i < samples.weight.size(); ++i) {
-        const float* texel = texels + 3 * static_cast<std::ptrdiff_t>(samples.texel[i]);
-        sum = sum + samples.weight[i] * Color{texel[0], texel[1], texel[2]};
-    }
-    return sum;
-}
+// Directions that go through the loops together: what is noted of them stays in the nearest cache, and memory does not
+// grow with their number.
+constexpr std::size_t batch = 512;
 
-Color reflected_light(const Scene& scene, const Hit& hit, const CosineRule& rule, const Frame& frame,
-                      const EnvironmentMap& environment, Samples& samples) {
-    samples.weight.resize(rule.weight.size());
-    samples.texel.resize(rule.weight.size());
-    if (hit.object == Object::sphere)
-        find_weights(rule, frame, RectangleShadow(scene.rectangle, hit.point), samples.weight.data());
-    else
-        find_weights(rule, frame, SphereShadow(scene.sphere, hit.point), samples.weight.data());
-    find_texels(rule, frame, environment.grid(), samples.texel.data());
-    const Color irradiance = weighted_sum(samples, environment.texels());
+// The light that a point reflects, by a rule that the frame carries to its surface.
+Color shade(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
+            const Frame& frame) {
+    double weight[batch];
+    int texel[batch];
+    Color irradiance;
+    for (std::size_t begin = 0, n = rule.weight.size(); begin < n; begin += batch) {
+        const std::size_t end = std::min(begin + batch, n);
+        if (hit.object == Object::sphere)
+            find_weights(rule, begin, end, frame, RectangleShadow(scene.rectangle, hit.point), weight);
+        else
+            find_weights(rule, begin, end, frame, SphereShadow(scene.sphere, hit.point), weight);
+        find_texels(rule, begin, end, frame, environment.grid(), texel);
+        for (std::size_t i = 0; i < end - begin; ++i) {
+            const float* rgb = environment.texels() + 3 * static_cast<std::ptrdiff_t>(texel[i]);
+            irradiance = irradiance + weight[i] * Color{rgb[0], rgb[1], rgb[2]};
+        }
+    }
     return 1 / portable::pi *
            Color{hit.albedo.x * irradiance.x, hit.albedo.y * irradiance.y, hit.albedo.z * irradiance.z};
 }
 
 // The random streams of the rules that pixels share; pixels use the streams from 0.
 constexpr std::uint64_t first_rule_stream = std::uint64_t{1} << 63;
+
+std::size_t shared_rule_count(const RenderSettings& settings) {
+    if (settings.method == Method::pool) return settings.pool;
+    const bool turned = settings.method == Method::mc && is_lattice(settings.placement);
+    return turned || settings.method == Method::single || settings.method == Method::rotated ? 1 : 0;
+}
+
+// Independent directions of Monte Carlo that a pixel draws at a time, so that their number may be any.
+constexpr std::size_t most_fresh_directions = 4096;
 
 class Renderer {
 public:
@@ -81,23 +90,23 @@ public:
           environment_(environment),
           covariance_(covariance),
           settings_(settings),
-          camera_{settings.width, settings.height} {
-        const Method method = settings.method;
-        const bool shares_one = method == Method::single || method == Method::rotated ||
-                                (method == Method::mc && is_lattice(settings.placement));
-        const std::size_t shared = method == Method::pool ? settings.pool : shares_one ? 1 : 0;
-        for (std::size_t i = 0; i < shared; ++i) {
-            Random random(settings.seed, first_rule_stream + i);
-            shared_rules_.push_back(fresh_rule(random));
-        }
+          camera_{settings.width, settings.height} {}
+
+    void make_shared_rule() {
+        Random random(settings_.seed, first_rule_stream + shared_rules_.size());
+        shared_rules_.push_back(fresh_rule(settings_.samples, random));
     }
 
-    void render_row(int y, Samples& samples, Image& image) const {
+    // Returns how many pixels of the row show an object.
+    std::size_t render_row(int y, Image& image) const {
+        std::size_t objects = 0;
         for (int x = 0; x < settings_.width; ++x) {
             const Ray ray = camera_.ray(x, y);
             const std::optional<Hit> hit = intersect(scene_, ray);
-            image.set(x, y, hit ? shade(*hit, pixel_stream(x, y), samples) : environment_.radiance(ray.direction));
+            image.set(x, y, hit ? reflected_light(*hit, pixel_stream(x, y)) : environment_.radiance(ray.direction));
+            objects += hit.has_value();
         }
+        return objects;
     }
 
 private:
@@ -106,22 +115,33 @@ private:
                                     static_cast<std::uint64_t>(x)};
     }
 
-    CosineRule fresh_rule(Random& random) const {
-        std::vector<Vec3> directions = place_directions(settings_.placement, settings_.samples, random);
+    CosineRule fresh_rule(std::size_t samples, Random& random) const {
+        std::vector<Vec3> directions = place_directions(settings_.placement, samples, random);
         if (settings_.method == Method::mc)
             return CosineRule(monte_carlo_rule(std::move(directions), settings_.placement));
         return CosineRule(bayesian_rule(covariance_, settings_.noise, std::move(directions), settings_.prior));
     }
 
-    Color shade(const Hit& hit, Random random, Samples& samples) const {
+    Color reflected_light(const Hit& hit, Random random) const {
         const Frame frame(hit.normal);
-        if (shared_rules_.empty())
-            return reflected_light(scene_, hit, fresh_rule(random), frame, environment_, samples);
-        if (settings_.method == Method::single)
-            return reflected_light(scene_, hit, shared_rules_[0], frame, environment_, samples);
+        if (settings_.method == Method::single) return shade(scene_, environment_, hit, shared_rules_[0], frame);
+        if (settings_.method == Method::direct)
+            return shade(scene_, environment_, hit, fresh_rule(settings_.samples, random), frame);
+        if (shared_rules_.empty()) return monte_carlo_light(hit, frame, random);
         const auto choice = static_cast<std::size_t>(random.uniform() * static_cast<double>(shared_rules_.size()));
         const double turns = random.uniform();
-        return reflected_light(scene_, hit, shared_rules_[choice], frame.rotated(turns), environment_, samples);
+        return shade(scene_, environment_, hit, shared_rules_[choice], frame.rotated(turns));
+    }
+
+    // The mean over parts of the directions, each a rule of its own.
+    Color monte_carlo_light(const Hit& hit, const Frame& frame, Random& random) const {
+        Color mean;
+        for (std::size_t done = 0, part; done < settings_.samples; done += part) {
+            part = std::min(settings_.samples - done, most_fresh_directions);
+            const double share = static_cast<double>(part) / static_cast<double>(settings_.samples);
+            mean = mean + share * shade(scene_, environment_, hit, fresh_rule(part, random), frame);
+        }
+        return mean;
     }
 
     const Scene& scene_;
@@ -132,23 +152,54 @@ private:
     std::vector<CosineRule> shared_rules_;
 };
 
+// The fraction of a rendering that is done, counted in rays: they take the time, not the rows of sky. To make a rule of
+// n directions by factoring Q takes as long as n^3 / 250 rays, and only one thread does it.
+class Meter {
+public:
+    Meter(const Scene& scene, const RenderSettings& settings) : rays_per_pixel_(static_cast<double>(settings.samples)) {
+        rays_per_rule_ = rays_per_pixel_;
+        if (settings.method != Method::mc) rays_per_rule_ *= rays_per_pixel_ * rays_per_pixel_ / 250 * settings.threads;
+        all_ = rays(shared_rule_count(settings), object_pixels(scene, settings.width, settings.height));
+    }
+
+    double done(std::size_t rules, std::size_t pixels) const { return rays(rules, static_cast<double>(pixels)) / all_; }
+
+private:
+    double rays(std::size_t rules, double pixels) const {
+        return static_cast<double>(rules) * rays_per_rule_ + pixels * rays_per_pixel_;
+    }
+
+    double rays_per_pixel_, rays_per_rule_, all_;
+};
+
 }  // namespace
 
 Image render(const Scene& scene, const EnvironmentMap& environment, const Covariance& covariance,
              const RenderSettings& settings, const Progress& progress) {
-    const Renderer renderer(scene, environment, covariance, settings);
+    const std::optional<Meter> meter = progress ? std::optional(Meter(scene, settings)) : std::nullopt;
+    const auto report = [&](std::size_t rules, std::size_t pixels) {
+        if (meter && meter->done(rules, pixels) < 1) progress(meter->done(rules, pixels));
+    };
+    Renderer renderer(scene, environment, covariance, settings);
+    const std::size_t rules = shared_rule_count(settings);
+    for (std::size_t made = 1; made <= rules; ++made) {
+        renderer.make_shared_rule();
+        report(made, 0);
+    }
     Image image(settings.width, settings.height);
     std::atomic<int> next_row{0};
+    std::atomic<std::size_t> object_pixels_done{0};
     const auto work = [&](bool reports) {
-        Samples samples;
         for (int y; (y = next_row++) < settings.height;) {
-            renderer.render_row(y, samples, image);
-            if (reports && progress) progress(static_cast<double>(y + 1) / settings.height);
+            const std::size_t objects = renderer.render_row(y, image);
+            object_pixels_done += objects;
+            if (reports && objects > 0) report(rules, object_pixels_done);
         }
     };
     std::vector<std::future<void>> helpers;
     for (unsigned i = 1; i < settings.threads; ++i) helpers.push_back(std::async(std::launch::async, work, false));
     work(true);
     for (std::future<void>& helper : helpers) helper.get();
+    if (progress) progress(1);
     return image;
 }

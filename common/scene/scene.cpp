@@ -41,3 +41,11 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray) {
     const Vec3 point = ray.origin + *to_rectangle * ray.direction;
     return Hit{Object::rectangle, point, {0, ray.direction.y < 0 ? 1.0 : -1.0, 0}, scene.rectangle.albedo};
 }
+
+double object_pixels(const Scene& scene, int width, int height) {
+    const Camera camera{width, height};
+    double count = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) count += intersect(scene, camera.ray(x, y)).has_value();
+    return count;
+}

@@ -52,6 +52,9 @@ struct Hit {
 // The first object that the ray meets.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 
+// The number of pixels that show an object.
+double object_pixels(const Scene& scene, int width, int height);
+
 // The tests that decide whether a shadow ray from a point outside the object meets it: neither divides nor branches, so
 // a loop over many directions vectorises. The objects are convex, so a hit on one can only be shadowed by the other.
 
@@ -71,22 +74,23 @@ private:
     double excess_;
 };
 
-// From a height h above the plane, the point where the ray meets it, multiplied by the ray's descent.
+// From a height h on either side of the plane, the point where the ray meets it, multiplied by the ray's approach.
 class RectangleShadow {
 public:
     RectangleShadow(const Rectangle& rectangle, Vec3 point)
-        : height_(point.y - rectangle.y),
+        : towards_(point.y < rectangle.y ? 1 : -1),
+          height_(std::fabs(point.y - rectangle.y)),
           left_(rectangle.x_min - point.x),
           right_(rectangle.x_max - point.x),
           far_(rectangle.z_min - point.z),
           near_(rectangle.z_max - point.z) {}
 
     bool covers(Vec3 direction) const {
-        const double descent = -direction.y, x = height_ * direction.x, z = height_ * direction.z;
-        return (descent > 0) & (x >= left_ * descent) & (x <= right_ * descent) & (z >= far_ * descent) &
-               (z <= near_ * descent);
+        const double approach = towards_ * direction.y, x = height_ * direction.x, z = height_ * direction.z;
+        return (approach > 0) & (x >= left_ * approach) & (x <= right_ * approach) & (z >= far_ * approach) &
+               (z <= near_ * approach);
     }
 
 private:
-    double height_, left_, right_, far_, near_;
+    double towards_, height_, left_, right_, far_, near_;
 };
