@@ -74,7 +74,8 @@ std::string describe_lines(const std::vector<std::string>& reference, const std:
                            std::size_t first) {
     const auto at = [&](const auto& lines) { return first < lines.size() ? lines[first] : "nothing"; };
     const std::string line = "line " + std::to_string(first + 1), expected = at(reference), found = at(actual);
-    const auto difference = is_row(expected) && is_row(found) ? row_difference(expected, found) : std::nullopt;
+    const bool rows = first < std::min(reference.size(), actual.size()) && is_row(expected) && is_row(found);
+    const auto difference = rows ? row_difference(expected, found) : std::nullopt;
     const char* const note = split_columns(expected) == split_columns(found) ? " (only white space differs)" : "";
     if (!difference) return line + ", reference: " + expected + "\n" + line + ", here:      " + found + note;
     const auto row = std::count_if(reference.data(), reference.data() + first + 1, is_row);
