@@ -217,6 +217,27 @@ TEST_CASE("the log evidence is the density's logarithm with the best amplitude")
     CHECK(std::fabs(process.log_evidence({1, 3}) - (-std::log(form / 2) - 0.5 * std::log(det))) < 1e-14);
 }
 
+TEST_CASE("an unknown mean of two samples is elementary: it takes one degree of freedom") {
+    // Where the cosine is known the light is h = (1, 1). Its best estimate for Y = (1, 3) is 2, which leaves (-1, 1).
+    const std::vector<Vec3> directions{{0, 1, 0}, normalize({1, 1, 0})};
+    const GaussianProcess process(Sobolev(), 0.1, directions, {KnownPart::cosine, PriorMean::uniform});
+    const double a = 8.0 / 3 + 0.01, b = 8.0 / 3 - length(directions[0] - directions[1]);
+    const double form = 2 / (a - b);               // (-1, 1) Q^-1 (-1, 1)^T, over n - 1 = 1
+    const double light_information = 2 / (a + b);  // h^T Q^-1 h
+    CHECK(std::fabs(process.amplitude({1, 3}) - std::sqrt(form)) < 1e-14);
+    const double log_determinant = std::log(a * a - b * b) + std::log(light_information);
+    CHECK(std::fabs(process.log_evidence({1, 3}) + 0.5 * (std::log(form) + log_determinant)) < 1e-14);
+    // With one sample left out the other is the best estimate of the light, and the prediction.
+    CHECK(std::fabs(process.leave_one_out({1, 3})[0] + 2) < 1e-14);
+    CHECK(std::fabs(process.leave_one_out({1, 3})[1] - 2) < 1e-14);
+    const double z0 = process.z()[0], z1 = process.z()[1],
+                 z_form = (a * (z0 * z0 + z1 * z1) - 2 * b * z0 * z1) / (a * a - b * b);
+    const double missing = pi - (z0 + z1) / (a + b);
+    const double variance =
+        Sobolev().double_integral(KnownPart::cosine) - z_form + missing * missing / light_information;
+    CHECK(std::fabs(process.variance() - variance) < 1e-13);
+}
+
 TEST_CASE("a leave-one-out residual is what the prediction from all other samples misses") {
     const std::vector<Vec3> directions = random_directions(12, 5);
     const std::vector<double> values = values_of(directions, kinked);
