@@ -125,9 +125,7 @@ void bench_cholesky() {
     for (const std::size_t n : {10u, 20u, 40u, 100u, 200u, 400u, 1000u, 2000u}) {
         Random random(1, n);
         const std::vector<Vec3> directions = uniform_directions(n, random);
-        Matrix q = covariance_matrix(sobolev, 0.01, directions);
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < i; ++j) q(i, j) = q(j, i);
+        const Matrix q = symmetric(covariance_matrix(sobolev, 0.01, directions));
         const double size = static_cast<double>(n);
         const double factor = median_seconds([&] { sink = Cholesky(q).upper()(0, 0); });
         const double inverse = median_seconds([&] { sink = Cholesky(q).inverse()(0, 0); });

@@ -19,12 +19,6 @@ Matrix product_with_transpose(const Matrix& a, const Matrix& b) {  // a^T b
     return product;
 }
 
-Matrix symmetric(Matrix a) {
-    for (std::size_t i = 0; i < a.rows(); ++i)
-        for (std::size_t j = 0; j < i; ++j) a(i, j) = a(j, i);
-    return a;
-}
-
 // B^T B + I for a random B: condition number of a few n.
 Matrix random_spd(std::size_t n, std::uint64_t seed) {
     Random random(seed, n);

@@ -35,17 +35,10 @@ Wide quotient(Wide a, Wide b) {
     return sum(q, minus_product(a, b, {q, 0}).high / b.high);
 }
 
-Matrix symmetric_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
-    Matrix q = covariance_matrix(covariance, noise, directions);
-    for (std::size_t i = 0; i < q.rows(); ++i)
-        for (std::size_t j = 0; j < i; ++j) q(i, j) = q(j, i);
-    return q;
-}
-
 // Weights Q^-1 z by Gaussian elimination in double-double arithmetic.
 std::vector<double> wide_weights(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
     const std::size_t n = directions.size();
-    const Matrix q = symmetric_matrix(covariance, noise, directions);
+    const Matrix q = symmetric(covariance_matrix(covariance, noise, directions));
     const std::vector<double> z = hemisphere_integrals(covariance, directions);
     std::vector<std::vector<Wide>> a(n, std::vector<Wide>(n + 1));
     for (std::size_t i = 0; i < n; ++i) {
@@ -80,7 +73,7 @@ TEST_CASE(
                 const std::vector<double> exact = wide_weights(*covariance, noise, directions);
                 const GaussianProcess process(*covariance, noise, directions);
                 const Matrix inverse = process.inverse_covariance();
-                const Matrix q = symmetric_matrix(*covariance, noise, directions);
+                const Matrix q = symmetric(covariance_matrix(*covariance, noise, directions));
                 const double condition = residuals_of(q, process.cholesky(), inverse).condition;
                 double largest = 0, by_solve = 0, by_inverse = 0, z_norm = 0;
                 for (std::size_t i = 0; i < 40; ++i) {
@@ -107,8 +100,8 @@ TEST_CASE("a refined solution is right to the last digit, or there is none") {
         for (const double noise : {1e-2, 1e-4, 1e-6}) {
             const GaussianProcess process(covariance, noise, directions);
             const std::vector<double> exact = wide_weights(covariance, noise, directions);
-            const auto refined =
-                refined_solution(symmetric_matrix(covariance, noise, directions), process.cholesky(), process.z());
+            const auto refined = refined_solution(symmetric(covariance_matrix(covariance, noise, directions)),
+                                                  process.cholesky(), process.z());
             REQUIRE(refined);
             double scale = 0;
             for (const double weight : exact) scale = std::max(scale, std::fabs(weight));

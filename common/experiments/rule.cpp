@@ -1,32 +1,95 @@
 #include "experiments/rule.h"
 
-std::string rule_report(const QuadratureRule& rule) {
-    std::string text = "#       x         y         z       weight\n";
+#include "experiments/input.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+void add_sample(Samples& samples, const Row& row, std::size_t columns) {
+    const auto fail = [&](const std::string& problem) {
+        throw std::runtime_error("line " + std::to_string(row.line) + ": " + problem);
+    };
+    const std::vector<double>& numbers = row.numbers;
+    if (numbers.size() != columns || columns < 3 || columns > 4)
+        fail(line("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
+    const Vec3 direction{numbers[0], numbers[1], numbers[2]};
+    if (!(std::fabs(length(direction) - 1) <= 1e-6))
+        fail(line("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
+    if (direction.y < 0) fail(line("the direction lies below the horizon: its y is %.9g", direction.y));
+    samples.directions.push_back(direction);
+    if (columns == 4) samples.values.push_back(numbers[3]);
+}
+
+std::string matrix_block(const char* name, const Matrix& matrix) {
+    std::string text = line("\n\n# %s, %zu x %zu\n", name, matrix.rows(), matrix.columns());
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+        for (std::size_t j = 0; j < matrix.columns(); ++j)
+            text += line("%16.9g", matrix(i, j)) + (j + 1 < matrix.columns() ? " " : "\n");
+    return text;
+}
+
+}  // namespace
+
+Samples read_samples(std::istream& in) {
+    Samples samples;
+    const std::vector<Row> rows = read_rows(in, max_process_samples);
+    for (const Row& row : rows) add_sample(samples, row, rows[0].numbers.size());
+    return samples;
+}
+
+std::string rule_report(const GaussianProcess& process, KnownPart known, const std::vector<double>& values) {
+    std::string text = "#       x         y         z          z_j       weight\n";
     double sum = 0;
     std::size_t negative = 0;
-    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-        const Vec3 direction = rule.directions[i];
-        text += line("%9.6f %9.6f %9.6f %12.6g\n", direction.x, direction.y, direction.z, rule.weights[i]);
-        sum += rule.weights[i];
-        negative += rule.weights[i] < 0 ? 1 : 0;
+    for (std::size_t i = 0; i < process.weights().size(); ++i) {
+        const Vec3 direction = process.directions()[i];
+        const double weight = process.weights()[i];
+        text +=
+            line("%9.6f %9.6f %9.6f %12.9g %12.6g\n", direction.x, direction.y, direction.z, process.z()[i], weight);
+        sum += weight;
+        negative += weight < 0 ? 1 : 0;
     }
-    const bool cosine = rule.known == KnownPart::cosine;
-    return text + line("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
-                       cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
+    const bool cosine = known == KnownPart::cosine;
+    text += line("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
+                 cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
+    if (!values.empty())
+        text += line("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %.6g\n",
+                     cosine ? " times cos(theta)" : "", process.integral(values), process.amplitude(values),
+                     process.standard_error(values));
+    return text;
+}
+
+std::string matrices_report(const Matrix& covariance, const Matrix& inverse) {
+    return matrix_block("Q", symmetric(covariance)) + matrix_block("Q^-1", inverse);
 }
 
 std::vector<Option> Rule::options() {
     std::vector<Option> options = {
-        {"samples", "N", "directions of the rule (default 40)", [this](const std::string& text) {
+        {"samples", "N", "directions of the rule (default 40)",
+         [this](const std::string& text) {
              samples = static_cast<std::size_t>(parse_integer(text, 1, max_process_samples));
-         }}};
+         }},
+        {"directions", "FILE", "in place of drawn ones: x y z or x y z value a line (-: standard input)",
+         [this](const std::string& text) { directions = parse_name(text); }},
+        {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}};
     for (Option& option : model.options()) options.push_back(std::move(option));
     return options;
 }
 
 std::string Rule::report() const {
     const std::unique_ptr<Covariance> covariance = model.make_covariance();
-    Random random(model.seed, 0);
-    return rule_report(
-        bayesian_rule(*covariance, model.noise, place_directions(model.placement, samples, random), model.prior));
+    Samples given;
+    if (directions.empty()) {
+        Random random(model.seed, 0);
+        given.directions = place_directions(model.placement, samples, random);
+    } else {
+        read_input(directions, [&](std::istream& in) { given = read_samples(in); });
+    }
+    const GaussianProcess process(*covariance, model.noise, given.directions, model.prior);
+    const std::string text = rule_report(process, model.prior.known, given.values);
+    if (!matrices) return text;
+    return text +
+           matrices_report(covariance_matrix(*covariance, model.noise, given.directions), process.inverse_covariance());
 }

@@ -1,17 +1,35 @@
-// A rule of Bayesian Monte Carlo, number by number.
+// A rule of Bayesian Monte Carlo, number by number: on directions that are drawn, or on directions and with values that
+// another program wrote.
 #pragma once
 
 #include "numerics/portable_math.h"
 
 #include "experiments/command.h"
+#include "quadrature/gaussian_process.h"
 
-// A rule: its directions and weights, for whoever wants to plot or to reuse them, and how well it integrates the one
-// integrand that every rule should.
-std::string rule_report(const QuadratureRule& rule);
+#include <iosfwd>
 
-// Directions and weights of one rule.
+// Directions, and what was measured in them if they come with values.
+struct Samples {
+    std::vector<Vec3> directions;
+    std::vector<double> values;  // one for each direction, or none
+};
+
+// Reads "x y z" or "x y z value" a line, the same in all of them. Throws std::runtime_error that names the line for any
+// other number of columns, a length that is not 1 within 1e-6, and a direction below the horizon (y < 0).
+Samples read_samples(std::istream& in);
+
+// Directions, z and weights; how well the weights integrate the one integrand that every rule should; with values their
+// integral, amplitude and standard error.
+std::string rule_report(const GaussianProcess& process, KnownPart known, const std::vector<double>& values = {});
+
+// Q, given by its upper triangle, and Q^-1, each a block of rows after two empty lines.
+std::string matrices_report(const Matrix& covariance, const Matrix& inverse);
+
 struct Rule {
     std::size_t samples = 40;
+    std::string directions;  // a file; empty: drawn
+    bool matrices = false;
     ModelOptions model;
 
     std::vector<Option> options();

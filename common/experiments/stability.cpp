@@ -168,9 +168,7 @@ StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double no
     try {
         const GaussianProcess process(*model.covariance, noise, directions);
         const Matrix inverse = process.inverse_covariance();
-        Matrix q = covariance_matrix(*model.covariance, noise, directions);
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < i; ++j) q(i, j) = q(j, i);
+        const Matrix q = symmetric(covariance_matrix(*model.covariance, noise, directions));
         row.residuals = residuals_of(q, process.cholesky(), inverse);
         std::vector<double> by_inverse(n);
         double estimate = 0;

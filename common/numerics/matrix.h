@@ -37,3 +37,10 @@ inline double row_sum_norm(const Matrix& a) {
     }
     return largest;
 }
+
+// The symmetric matrix whose upper triangle is given.
+inline Matrix symmetric(Matrix upper) {
+    for (std::size_t i = 0; i < upper.rows(); ++i)
+        for (std::size_t j = 0; j < i; ++j) upper(i, j) = upper(j, i);
+    return upper;
+}

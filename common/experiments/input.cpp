@@ -1,0 +1,57 @@
+#include "experiments/input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+[[noreturn]] void fail(std::size_t line, const std::string& problem) {
+    throw std::runtime_error("line " + std::to_string(line) + ": " + problem);
+}
+
+std::vector<double> numbers_of(std::string text, std::size_t line) {
+    text.erase(std::min(text.find('#'), text.size()));
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::istringstream words(text);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+        char* end = nullptr;
+        numbers.push_back(std::strtod(word.c_str(), &end));
+        if (end != word.c_str() + word.size() || !std::isfinite(numbers.back()))
+            fail(line, "'" + word.substr(0, 40) + "' is not a number; a comment begins with #");
+    }
+    return numbers;
+}
+
+}  // namespace
+
+void read_input(const std::string& file, const std::function<void(std::istream&)>& read) {
+    try {
+        if (file == "-") return read(std::cin);
+        std::ifstream in(file, std::ios::binary);
+        if (!in) throw std::runtime_error("cannot open this file");
+        read(in);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error((file == "-" ? "standard input" : file) + ": " + error.what());
+    }
+}
+
+std::vector<Row> read_rows(std::istream& in, std::size_t max_rows) {
+    std::vector<Row> rows;
+    std::vector<char> text(4096);
+    for (std::size_t line = 1; in.getline(text.data(), static_cast<std::streamsize>(text.size())) || in.gcount() > 0;
+         ++line) {
+        if (in.fail()) fail(line, "it is longer than 4095 characters");
+        Row row{line, numbers_of(text.data(), line)};
+        if (row.numbers.empty()) continue;
+        if (rows.size() == max_rows) fail(line, "there are more than " + std::to_string(max_rows) + " rows of numbers");
+        rows.push_back(std::move(row));
+    }
+    if (rows.empty()) throw std::runtime_error("there are no numbers in it");
+    return rows;
+}

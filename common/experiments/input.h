@@ -1,0 +1,25 @@
+// Files that other programs made: opened by name, and tables of numbers read from them.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+// Calls read with the bytes of the file, or of standard input if its name is "-". Throws std::runtime_error, one line
+// that begins with the file's name, if the file cannot be opened or read throws.
+void read_input(const std::string& file, const std::function<void(std::istream&)>& read);
+
+// The numbers of one line.
+struct Row {
+    std::size_t line;  // from 1
+    std::vector<double> numbers;
+};
+
+// The lines that hold numbers, between white space or commas; what follows a '#' is a comment. Throws
+// std::runtime_error that names the line for what is no finite number, a line of more than 4095 characters, or more
+// rows than max_rows; and if there is no row at all.
+std::vector<Row> read_rows(std::istream& in, std::size_t max_rows);
