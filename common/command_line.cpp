@@ -113,7 +113,7 @@ std::vector<Option> ModelOptions::options() {
              [this](const std::string& text) { smoothness = parse_real(text, 1.001, 1.999); }},
             {"length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
              [this](const std::string& text) { length_scale = parse_real(text, 0.05, 1e6); }},
-            {"noise", "X", "standard deviation of the samples' error (default 0.01)",
+            {"noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
              [this](const std::string& text) { noise = parse_real(text, 0, 1000); }},
             {"known", "NAME",
              "part of the integrand: " + choices(known_part_names, prior.known) + ", for sobolev with smoothness 1.5",

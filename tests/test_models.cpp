@@ -45,3 +45,10 @@ TEST_CASE("the RMSE of Monte Carlo is what its variance says") {
     const double expected = 2 * portable::pi * std::sqrt(1.0 / 12 / 40);
     CHECK(std::fabs(monte_carlo_rmse({practice_integrands()[1]}, 40, 400) / expected - 1) < 5 / std::sqrt(800.0));
 }
+
+TEST_CASE("a zero mean makes a constant too small, and too large what vanishes at the horizon") {
+    const Bias constant = bias_of({practice_integrands()[0]}, 20, 400),
+               cosine = bias_of({practice_integrands()[1]}, 20, 400);
+    CHECK(constant.mean < -5 * constant.standard_error);
+    CHECK(cosine.mean > 3 * cosine.standard_error);
+}

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 TEST_CASE("the error of an image: root mean square, neighbours' correlation and brightness") {
-    const Scene scene = sphere_scene();
+    const std::vector<bool> mask = object_mask(sphere_scene(), 40, 40);
     Image truth(40, 40), brighter(40, 40), striped(40, 40);
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x) {
@@ -11,15 +11,16 @@ TEST_CASE("the error of an image: root mean square, neighbours' correlation and 
             brighter.set(x, y, {0.625, 0.625, 0.625});
             striped.set(x, y, x % 2 ? Color{0.75, 0.75, 0.75} : Color{0.25, 0.25, 0.25});
         }
-    const ImageError same = image_error(scene, {truth}, truth);
+    const ImageError same = image_error(mask, truth, truth);
     CHECK(same.rmse == 0);
+    CHECK(same.correlation == 0);
     CHECK(same.brightness == 0);
     // These differences are exact in binary.
-    const ImageError constant = image_error(scene, {brighter}, truth);
+    const ImageError constant = image_error(mask, brighter, truth);
     CHECK(constant.rmse == 0.125);
     CHECK(constant.correlation == 1);
     CHECK(constant.brightness == 0.25);
-    const ImageError alternating = image_error(scene, {striped}, truth);
+    const ImageError alternating = image_error(mask, striped, truth);
     CHECK(alternating.rmse == 0.25);
     CHECK(alternating.correlation == -1);
 }

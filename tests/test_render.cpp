@@ -51,7 +51,9 @@ Image dense_quadrature(const EnvironmentMap& environment) {
     return render(sphere_scene(), environment, Sobolev(), settings);
 }
 
-ImageError error_of(const Image& image, const Image& truth) { return image_error(sphere_scene(), {image}, truth); }
+ImageError error_of(const Image& image, const Image& truth) {
+    return image_error(object_mask(sphere_scene(), truth.width(), truth.height()), image, truth);
+}
 
 }  // namespace
 

@@ -43,6 +43,13 @@ ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& i
 // Root mean square error of Monte Carlo on the same sets.
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);
 
+// Mean relative error of Bayesian Monte Carlo, Sobolev 3/2 with noise 0.01, on the sum of the integrands, and its
+// standard error.
+struct Bias {
+    double mean, standard_error;
+};
+Bias bias_of(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);
+
 struct Models {
     std::vector<Option> options() { return {}; }
     std::string report() const;

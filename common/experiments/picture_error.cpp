@@ -2,26 +2,30 @@
 
 #include <cmath>
 
-ImageError image_error(const Scene& scene, const std::vector<Image>& images, const Image& truth) {
-    const Camera camera{truth.width(), truth.height()};
-    const auto shows_object = [&](int x, int y) { return intersect(scene, camera.ray(x, y)).has_value(); };
+std::vector<bool> object_mask(const Scene& scene, int width, int height) {
+    const Camera camera{width, height};
+    std::vector<bool> mask;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) mask.push_back(intersect(scene, camera.ray(x, y)).has_value());
+    return mask;
+}
+
+ImageError image_error(const std::vector<bool>& mask, const Image& image, const Image& truth) {
     double count = 0, sum = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
+    std::size_t pixel = 0;
     for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x) {
-            if (!shows_object(x, y)) continue;
-            const bool has_neighbour = x + 1 < truth.width() && shows_object(x + 1, y);
-            for (const Image& image : images) {
-                const Color here = image(x, y), error = here - truth(x, y);
-                const double squared = dot(error, error);
-                count += 3;
-                sum += here.x + here.y + here.z;
-                true_sum += truth(x, y).x + truth(x, y).y + truth(x, y).z;
-                squares += squared;
-                if (!has_neighbour) continue;
-                const Color next = image(x + 1, y) - truth(x + 1, y);
-                products += dot(error, next);
-                pair_squares += (squared + dot(next, next)) / 2;
-            }
+        for (int x = 0; x < truth.width(); ++x, ++pixel) {
+            if (!mask[pixel]) continue;
+            const Color here = image(x, y), true_here = truth(x, y), error = here - true_here;
+            const double squared = dot(error, error);
+            count += 3;
+            sum += here.x + here.y + here.z;
+            true_sum += true_here.x + true_here.y + true_here.z;
+            squares += squared;
+            if (x + 1 == truth.width() || !mask[pixel + 1]) continue;
+            const Color next = image(x + 1, y) - truth(x + 1, y);
+            products += dot(error, next);
+            pair_squares += (squared + dot(next, next)) / 2;
         }
-    return {std::sqrt(squares / count), products / pair_squares, sum / true_sum - 1};
+    return {std::sqrt(squares / count), pair_squares > 0 ? products / pair_squares : 0, sum / true_sum - 1};
 }

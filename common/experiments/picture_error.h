@@ -8,8 +8,13 @@
 #include "scene/image.h"
 #include "scene/scene.h"
 
-// What images differ from the truth by, over the pixels that show an object.
+// Which pixels show an object, row by row.
+std::vector<bool> object_mask(const Scene& scene, int width, int height);
+
+// What an image differs from the truth by, over the pixels that show an object.
 struct ImageError {
-    double rmse, correlation, brightness;
+    double rmse;         // of linear radiance, all channels
+    double correlation;  // of the errors of horizontally neighbouring pixels; 0 where there are none
+    double brightness;   // mean of the image over mean of the truth, minus 1
 };
-ImageError image_error(const Scene& scene, const std::vector<Image>& images, const Image& truth);
+ImageError image_error(const std::vector<bool>& mask, const Image& image, const Image& truth);

@@ -32,18 +32,23 @@ struct IntegralCost {
 // Sobolev 3/2, noise 0.01, on the integrand.
 std::vector<IntegralCost> integral_costs(const Integrand& integrand, bool timed);
 
+// One method: errors over several seeds, as many as make them the method's and not the seed's. A method that shares
+// rules between pixels has as many independent rules as seeds, not as pixels.
 struct PictureCost {
     RenderSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
-    double correlation;            // of the errors of horizontally neighbouring pixels
-    double brightness;             // mean of the picture over mean of the truth, minus 1
+    double rmse_error;             // standard error of rmse
+    double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds
+    double brightness;             // root mean square over the seeds of ImageError::brightness
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
 };
 
 // mc, direct, single, rotated and pools of 1, 2, 5 and 20, on uniform and Fibonacci directions; then mc on
 // cosine-distributed directions and pools of 20 for every prior on the directions that suit it; each with 10, 20, 40,
-// 80 and 160 samples.
-std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed);
+// 80 and 160 samples. Throws std::invalid_argument if the environment lights no object: there is nothing to compare.
+// progress is told the fraction that is done.
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed,
+                                       const Progress& progress = nullptr);
 
 struct Tradeoff {
     std::string environment;  // empty: the built-in one
