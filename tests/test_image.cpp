@@ -27,6 +27,20 @@ TEST_CASE("PPM: every byte is the correctly rounded sRGB code of its value") {
     }
 }
 
+TEST_CASE("PPM: a byte begins where the sRGB code is half a unit below it") {
+    Image image(2, 1);
+    for (int byte = 1; byte < 256; ++byte) {
+        const double code = (byte - 0.5) / 255;
+        const double begin = code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+        // The image rounds to floats, by 6e-8 at most.
+        image.set(0, 0, {begin * (1 - 1e-7), 0, 0});
+        image.set(1, 0, {begin * (1 + 1e-7), 0, 0});
+        const std::string ppm = to_ppm(image);
+        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 6]) == byte - 1);
+        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 3]) == byte);
+    }
+}
+
 TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are") {
     Image image(1, 2);
     image.set(0, 0, {1, 0, -2});

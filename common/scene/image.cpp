@@ -1,6 +1,7 @@
 #include "scene/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 
@@ -11,12 +12,38 @@ std::string header(const char* magic, const Image& image, const char* scale) {
            scale + '\n';
 }
 
-char srgb_byte(double linear) {
-    if (!(linear > 0)) return 0;
-    const double v = std::min(linear, 1.0);
-    const double encoded = v <= 0.0031308 ? 12.92 * v : 1.055 * portable::pow(v, 1 / 2.4) - 0.055;
-    return static_cast<char>(static_cast<unsigned char>(255 * encoded + 0.5));
+// The inverse of the sRGB transfer function: the linear value in [0, 1] of an encoded one.
+double linear_value(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : portable::pow((encoded + 0.055) / 1.055, 2.4);
 }
+
+// The bytes of linear values. Byte k begins at threshold k, where the transfer function is (k - 1/2) / 255: its inverse
+// is computed 255 times instead of the function for every value. The function is nowhere steeper than 12.92, so
+// thresholds are at least 1 / 3295 apart, and in a step of 1 / 4096 there is one at most: the byte where the step
+// begins and one comparison decide.
+class SrgbEncoder {
+public:
+    SrgbEncoder() {
+        for (std::size_t k = 1; k < 256; ++k) thresholds_[k] = linear_value((static_cast<double>(k) - 0.5) / 255);
+        thresholds_[256] = 2;  // for the byte 255: above all values
+        std::size_t byte = 0;
+        for (std::size_t step = 0; step <= steps; ++step) {
+            while (thresholds_[byte + 1] <= static_cast<double>(step) / steps) ++byte;
+            first_[step] = static_cast<unsigned char>(byte);
+        }
+    }
+
+    char byte(double linear) const {
+        const double v = linear > 0 ? std::min(linear, 1.0) : 0;  // 0 for nan, too
+        const std::size_t first = first_[static_cast<std::size_t>(v * steps)];
+        return static_cast<char>(static_cast<unsigned char>(first + (v >= thresholds_[first + 1])));
+    }
+
+private:
+    static constexpr std::size_t steps = 4096;
+    std::array<double, 257> thresholds_{};
+    std::array<unsigned char, steps + 1> first_{};
+};
 
 void append_little_endian(std::string& bytes, float value) {
     std::uint32_t bits;
@@ -46,11 +73,12 @@ void Image::set(int x, int y, Color color) {
 }
 
 std::string to_ppm(const Image& image) {
+    const SrgbEncoder encoder;
     std::string bytes = header("P6", image, "255");
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
             const Color color = image(x, y);
-            for (double channel : {color.x, color.y, color.z}) bytes += srgb_byte(channel);
+            for (double channel : {color.x, color.y, color.z}) bytes += encoder.byte(channel);
         }
     return bytes;
 }
