@@ -5,8 +5,6 @@
 #include "scene/desert.h"
 #include "scene/render.h"
 
-#include <unistd.h>
-
 #include <thread>
 
 namespace {
@@ -99,7 +97,7 @@ Request parse(int argc, char** argv) {
 
 std::string run(const Request& request) {
     if (request.help) return help_text();
-    if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to the terminal; write ./renderer > out.ppm");
+    require_file_output("./renderer > out.ppm");
     const Image image = render(sphere_scene(), load_environment(request.environment), *request.covariance,
                                request.settings, terminal_progress("renderer"));
     return request.linear ? to_pfm(image) : to_ppm(image);

@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "experiments/error_table.h"
 #include "experiments/known.h"
+#include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
@@ -17,6 +18,7 @@ namespace {
 std::vector<Command> commands() {
     return {command<ErrorTables>("", "error tables of Monte Carlo and Bayesian Monte Carlo"),
             command<Rule>("rule", "directions and weights of a rule"),
+            command<Light>("light", "the built-in environment as a Radiance picture, > desert.hdr"),
             command<Known>("known", "what it is worth to know the cosine"),
             command<Tradeoff>("tradeoff", "what accuracy costs"),
             command<Models>("models", "which covariance and noise an integrand requires"),

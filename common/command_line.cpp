@@ -154,6 +154,10 @@ int run_program(const char* name, const std::function<std::string()>& body) {
     return 1;
 }
 
+void require_file_output(const std::string& command) {
+    if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to the terminal; write " + command);
+}
+
 std::function<void(double)> terminal_progress(const char* name) {
     if (!isatty(STDERR_FILENO)) return nullptr;
     using Clock = std::chrono::steady_clock;

@@ -92,5 +92,8 @@ constexpr long max_process_samples = 4096;
 // UsageError, 1 after any other exception, each told in one line on stderr that begins with the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
 
+// Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.
+void require_file_output(const std::string& command);
+
 // Shows on stderr how much of a long work is done and how many seconds are left, if stderr is a terminal.
 std::function<void(double)> terminal_progress(const char* name);

@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "experiments/error_table.h"
 #include "experiments/known.h"
+#include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
@@ -12,7 +13,6 @@
 #include "scene/render.h"
 
 #include <getopt.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -3,6 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "scene/radiance_hdr.h"
+#include "scene/render.h"
 
 namespace {
 
@@ -34,4 +39,24 @@ TEST_CASE("the built-in environment has blue sky above, sand below, a sun and an
     const Color crown = desert.radiance(normalize({0, 0.51, -1})), inside = desert.radiance(normalize({0, 0.3, -1}));
     CHECK(crown.x > 2 * crown.z);
     CHECK(inside.z > inside.x);
+}
+
+TEST_CASE(
+    "the built-in environment written as .hdr and read back gives the picture within a grey level but for 0.1 %") {
+    const EnvironmentMap desert = built_in_environment();
+    std::istringstream file(to_radiance_hdr(desert));
+    RenderSettings settings;
+    settings.width = settings.height = 200;
+    const std::string direct = to_ppm(render(sphere_scene(), desert, Sobolev(), settings));
+    const std::string by_file = to_ppm(render(sphere_scene(), read_radiance_hdr(file), Sobolev(), settings));
+    REQUIRE(direct.size() == by_file.size());
+    std::size_t different = 0;
+    for (std::size_t i = direct.size() - 3 * 200 * 200; i < direct.size(); i += 3) {
+        int largest = 0;
+        for (std::size_t j = i; j < i + 3; ++j)
+            largest = std::max(
+                largest, std::abs(static_cast<unsigned char>(direct[j]) - static_cast<unsigned char>(by_file[j])));
+        different += largest > 1;
+    }
+    CHECK(different <= 40);  // of 40000
 }

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/random.h"
+
 namespace {
 
 EnvironmentMap read(const std::string& file) {
@@ -157,4 +159,22 @@ TEST_CASE("runs that do not fit their scanline are refused") {
     CHECK(contains(reading_error(narrow + bytes({1, 1, 1, 2})), "row 0: the scanline begins with a run"));
     const std::string no_texels = bytes({1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0});
     CHECK(reading_error(narrow + texel + no_texels) == "row 0: a run goes past the end of the scanline");
+}
+
+TEST_CASE("a map that is written and read back is off by half a step of its texel's largest channel at most") {
+    std::vector<float> rgb{0, 0, 0, 1, 0.5f, 0.25f, 0.999f, 0.001f, 0, 3e38f, 1, 0, 1e-45f, 0, 0, 255.4f, 255.6f, 7};
+    Random random(1, 0);
+    for (int i = 0; i < 3 * 94; ++i) rgb.push_back(static_cast<float>(portable::exp(40 * random.uniform() - 20)));
+    const EnvironmentMap map(10, 10, rgb);
+    const std::vector<float> back = values(read(to_radiance_hdr(map)));
+    REQUIRE(back.size() == rgb.size());
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        // A mantissa of 128 is a largest channel of at least 127.75: that, of 255.5, rounds to 128 of the next
+        // exponent.
+        const double largest = std::max({rgb[i], rgb[i + 1], rgb[i + 2], 2e-38f});
+        if (largest > 1e38) continue;  // clamped
+        for (std::size_t j = i; j < i + 3; ++j) CHECK(std::fabs(double{back[j]} - double{rgb[j]}) <= largest / 255.5);
+    }
+    CHECK(back[9] == 255 * 0x1p119f);
+    CHECK(std::vector<float>(back.begin(), back.begin() + 6) == std::vector<float>{0, 0, 0, 1, 0.5f, 0.25f});
 }

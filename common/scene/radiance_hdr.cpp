@@ -1,5 +1,6 @@
 #include "scene/radiance_hdr.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <istream>
@@ -158,3 +159,21 @@ private:
 }  // namespace
 
 EnvironmentMap read_radiance_hdr(std::istream& in) { return RadianceReader(*in.rdbuf()).read(); }
+
+std::string to_radiance_hdr(const EnvironmentMap& map) {
+    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(map.height()) + " +X " +
+                        std::to_string(map.width()) + '\n';
+    const auto append = [&](double byte) { bytes += static_cast<char>(static_cast<unsigned char>(byte)); };
+    const float* const end = map.texels() + 3 * std::ptrdiff_t{map.width()} * map.height();
+    for (const float* rgb = map.texels(); rgb != end; rgb += 3) {
+        const double largest = std::max({rgb[0], rgb[1], rgb[2]});
+        // largest = m 2^e with m in [1/2, 1), from the bits of the double; one more where the mantissa rounds to 256.
+        int e = static_cast<int>(portable::bits_of(largest) >> 52) - 1022;
+        const auto mantissa_scale = [&] { return portable::from_bits(static_cast<std::uint64_t>(1023 + 8 - e) << 52); };
+        if (e > -1022 && largest * mantissa_scale() >= 255.5) ++e;
+        e = std::clamp(e, -127, 127);
+        for (int i = 0; i < 3; ++i) append(std::min(std::floor(rgb[i] * mantissa_scale() + 0.5), 255.0));
+        append(e + 128);
+    }
+    return bytes;
+}
