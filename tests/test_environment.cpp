@@ -137,3 +137,24 @@ TEST_CASE("the lookup gives the same texels in a vectorised loop as one by one")
     for (std::size_t i = 0; i < x.size(); ++i) same = same && map.radiance({x[i], y[i], z[i]}).x == index[i];
     CHECK(same);
 }
+
+TEST_CASE("interpolated radiance is the texel's at its centre, the mean half-way, and closed around the azimuth") {
+    const EnvironmentMap map = numbered_map(9, 5);  // 8 columns and 4 rows with a width
+    const auto towards = [](double column, double row) {
+        const double azimuth = (column / 8 - 0.5) * 2 * portable::pi, polar = row / 4 * portable::pi;
+        return Vec3{std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
+    };
+    // The lookup's angles err by 2.3e-8, which moves a texel of 1/8 turn by 3e-8 and its number, at most 9 a row, by
+    // 3e-7.
+    const auto near = [](double a, double b) { return std::fabs(a - b) < 5e-7; };
+    CHECK(near(map.interpolated_radiance(towards(2.5, 1.5)).x, 9 + 2));
+    CHECK(near(map.interpolated_radiance(towards(3, 1.5)).y, 9 + 2.5));
+    CHECK(near(map.interpolated_radiance(towards(2.5, 2)).z, (9 + 2 + 18 + 2) / 2.0));
+    CHECK(near(map.interpolated_radiance(towards(0, 1.5)).x, 9 + 3.5));  // between columns 7 and 0
+    CHECK(near(map.interpolated_radiance(towards(8, 1.5)).x, 9 + 3.5));
+    CHECK(near(map.interpolated_radiance(towards(2.5, 0.1)).x, 2));  // above the centres of the first row
+    CHECK(near(map.interpolated_radiance(towards(2.5, 3.9)).x, 27 + 2));
+    const Color one = EnvironmentMap(1, 1, {1, 2, 3}).interpolated_radiance({0, 1, 0});
+    CHECK(one.x == 1);
+    CHECK(one.z == 3);
+}

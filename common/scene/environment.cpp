@@ -1,5 +1,6 @@
 #include "scene/environment.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -19,4 +20,17 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
                                     std::to_string(i / 3 % columns) + ": " + std::to_string(rgb_[i]) +
                                     " is not a finite radiance >= 0");
     }
+}
+
+// The last column and the last row count only in a map that has no other: they have no width.
+Color EnvironmentMap::interpolated_radiance(Vec3 direction) const {
+    const int columns = std::max(width() - 1, 1), last_row = std::max(height() - 2, 0);
+    const double u = grid_.column(direction.x, direction.z) - 0.5, v = grid_.row(direction.y) - 0.5;
+    const double s = u - std::floor(u), t = v - std::floor(v);
+    const int left = static_cast<int>(std::floor(u)) + columns, above = static_cast<int>(std::floor(v));
+    const auto row = [&](int y) {
+        const int begin = std::clamp(y, 0, last_row) * width();
+        return (1 - s) * texel(begin + left % columns) + s * texel(begin + (left + 1) % columns);
+    };
+    return (1 - t) * row(above) + t * row(above + 1);
 }

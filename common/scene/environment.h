@@ -22,12 +22,16 @@ public:
     // else, nan included, still gives a texel of the map.
     //
     // This runs for every secondary ray, so it is a straight line of arithmetic that a compiler can turn into SIMD over
-    // arrays of directions. Arccosine and arctangent are polynomials with an error of at most 2e-8: a texel's border
-    // moves by 2e-8 / (2 pi) * 1023 = 3e-6 of a texel in a map 1024 wide.
+    // arrays of directions. Arccosine and arctangent are polynomials with an error of at most 2.3e-8: a texel's
+    // border moves by 2.3e-8 / (2 pi) * 1023 = 4e-6 of a texel in a map 1024 wide.
     int texel_index(double x, double y, double z) const {
-        const double column = clamp((0.5 + azimuth(x, z) * (0.5 / portable::pi)) * last_column_, last_column_);
-        const double row = clamp(arccosine(y) * (1 / portable::pi) * last_row_, last_row_);
-        return static_cast<int>(row) * width_ + static_cast<int>(column);
+        return static_cast<int>(row(y)) * width_ + static_cast<int>(column(x, z));
+    }
+
+    // v (H - 1) and u (W - 1), for those who look between texels.
+    double row(double y) const { return clamp(arccosine(y) * (1 / portable::pi) * last_row_, last_row_); }
+    double column(double x, double z) const {
+        return clamp((0.5 + azimuth(x, z) * (0.5 / portable::pi)) * last_column_, last_column_);
     }
 
     int width() const { return width_; }
@@ -99,14 +103,18 @@ public:
     // How directions fall on the texels.
     const TexelGrid& grid() const { return grid_; }
 
-    // Linear RGB radiance that arrives from a direction of unit length.
-    Color radiance(Vec3 direction) const {
-        const std::ptrdiff_t index = grid_.texel_index(direction.x, direction.y, direction.z);
-        const float* texel = texels() + 3 * index;
-        return {texel[0], texel[1], texel[2]};
-    }
+    // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
+    Color radiance(Vec3 direction) const { return texel(grid_.texel_index(direction.x, direction.y, direction.z)); }
+
+    // The same interpolated between the centres of the four nearest texels: for an eye, which would see their edges.
+    Color interpolated_radiance(Vec3 direction) const;
 
 private:
+    Color texel(int index) const {
+        const float* rgb = texels() + 3 * static_cast<std::ptrdiff_t>(index);
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+
     TexelGrid grid_;
     int height_;
     std::vector<float> rgb_;

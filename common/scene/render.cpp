@@ -103,7 +103,9 @@ public:
         for (int x = 0; x < settings_.width; ++x) {
             const Ray ray = camera_.ray(x, y);
             const std::optional<Hit> hit = intersect(scene_, ray);
-            image.set(x, y, hit ? reflected_light(*hit, pixel_stream(x, y)) : environment_.radiance(ray.direction));
+            image.set(
+                x, y,
+                hit ? reflected_light(*hit, pixel_stream(x, y)) : environment_.interpolated_radiance(ray.direction));
             objects += hit.has_value();
         }
         return objects;
