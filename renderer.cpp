@@ -42,7 +42,20 @@ std::vector<Option> method_options(RenderSettings& settings) {
                  settings.samples = static_cast<std::size_t>(parse_integer(text, 1, max_mc_samples));
              }},
             {"pool", "K", "Gaussian processes in the pool (default 20)",
-             [&](const std::string& text) { settings.pool = static_cast<std::size_t>(parse_integer(text, 1, 1000)); }}};
+             [&](const std::string& text) { settings.pool = static_cast<std::size_t>(parse_integer(text, 1, 1000)); },
+             [&] { return settings.method == Method::pool ? "" : "it belongs to --method pool"; }}};
+}
+
+// Monte Carlo takes from the model where directions are and the seed; it makes no Gaussian process.
+std::vector<Option> model_options(Request& request) {
+    std::vector<Option> options = request.model.options();
+    for (Option& option : options)
+        if (option.name != "placement" && option.name != "seed")
+            option.idle = [&request, idle = option.idle] {
+                if (request.settings.method == Method::mc) return std::string("--method mc makes no Gaussian process");
+                return idle ? idle() : std::string();
+            };
+    return options;
 }
 
 std::vector<Option> picture_options(Request& request) {
@@ -61,7 +74,7 @@ std::vector<Option> picture_options(Request& request) {
 std::vector<Option> options_of(Request& request) {
     std::vector<Option> options;
     for (std::vector<Option> group :
-         {method_options(request.settings), request.model.options(), picture_options(request)})
+         {method_options(request.settings), model_options(request), picture_options(request)})
         for (Option& option : group) options.push_back(std::move(option));
     return options;
 }
@@ -71,7 +84,7 @@ std::string help_text() {
     return "usage: ./renderer [options] > out.ppm\n\n"
            "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\nmethod:\n" +
            describe(method_options(request.settings)) + "\nGaussian process and its samples:\n" +
-           describe(request.model.options()) + "\npicture:\n" + describe(picture_options(request)) +
+           describe(model_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
            "\nexamples: ./renderer --method mc --samples 40 > mc.ppm\n"
            "          ./renderer --known cosine --placement cosine-fibonacci --format pfm > out.pfm\n";
 }

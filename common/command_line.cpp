@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -48,6 +49,11 @@ void print_error(const char* name, std::string text) {
     std::fprintf(stderr, "%s: %s\n", name, text.c_str());
 }
 
+// Whether the number that ends there is the whole text; strtod and strtol skip white space before a number.
+bool is_whole(const std::string& text, const char* end) {
+    return !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == text.c_str() + text.size();
+}
+
 }  // namespace
 
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options) {
@@ -57,15 +63,20 @@ std::vector<std::string> parse_options(int argc, char** argv, const std::vector<
                          first_option + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
+    std::vector<const Option*> given;
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         if (found < first_option) throw not_found(found, argv);
         const Option& chosen = options[static_cast<std::size_t>(found - first_option)];
+        given.push_back(&chosen);
         try {
             chosen.set(optarg ? optarg : "");
         } catch (const UsageError& error) {
             throw UsageError("--" + chosen.name + ": " + error.what());
         }
     }
+    for (const Option* o : given)
+        if (const std::string reason = o->idle ? o->idle() : ""; !reason.empty())
+            throw UsageError("--" + o->name + " would change nothing: " + reason + "; leave it out");
     return {argv + std::min(optind, argc), argv + argc};  // a caller may give no words at all, not even a name
 }
 
@@ -82,7 +93,7 @@ std::string describe(const std::vector<Option>& options) {
 double parse_real(const std::string& text, double low, double high) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || end != text.c_str() + text.size() || !(value >= low && value <= high))
+    if (!is_whole(text, end) || !(value >= low && value <= high))
         throw UsageError("'" + text + "' is not a number from " + in_words(low) + " to " + in_words(high));
     return value;
 }
@@ -91,7 +102,7 @@ long parse_integer(const std::string& text, long low, long high) {
     char* end = nullptr;
     errno = 0;
     const long value = std::strtol(text.c_str(), &end, 10);
-    if (text.empty() || end != text.c_str() + text.size() || errno != 0 || value < low || value > high)
+    if (!is_whole(text, end) || errno != 0 || value < low || value > high)
         throw UsageError("'" + text + "' is not a whole number from " + std::to_string(low) + " to " +
                          std::to_string(high));
     return value;
@@ -110,9 +121,11 @@ std::vector<Option> ModelOptions::options() {
     return {{"covariance", "NAME", choices(covariance_names, covariance),
              [this](const std::string& text) { covariance = parse_choice(text, covariance_names); }},
             {"smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
-             [this](const std::string& text) { smoothness = parse_real(text, 1.001, 1.999); }},
+             [this](const std::string& text) { smoothness = parse_real(text, 1.001, 1.999); },
+             [this] { return idle_unless(CovarianceFamily::sobolev); }},
             {"length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
-             [this](const std::string& text) { length_scale = parse_real(text, 0.05, 1e6); }},
+             [this](const std::string& text) { length_scale = parse_real(text, 0.05, 1e6); },
+             [this] { return idle_unless(CovarianceFamily::squared_exponential); }},
             {"noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
              [this](const std::string& text) { noise = parse_real(text, 0, 1000); }},
             {"known", "NAME",
@@ -125,6 +138,11 @@ std::vector<Option> ModelOptions::options() {
              [this](const std::string& text) { placement = parse_choice(text, placement_names); }},
             {"seed", "K", "of the random numbers (default 1)",
              [this](const std::string& text) { seed = parse_seed(text); }}};
+}
+
+std::string ModelOptions::idle_unless(CovarianceFamily family) const {
+    if (covariance == family) return "";
+    return std::string("it belongs to --covariance ") + name_of(family, covariance_names);
 }
 
 std::unique_ptr<Covariance> ModelOptions::make_covariance() const {

@@ -22,10 +22,13 @@ struct Option {
     std::string argument;  // what stands for its value in the help; empty: it takes none
     std::string description;
     std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed
+
+    // Asked when all options are read: why the option would change nothing, or an empty text.
+    std::function<std::string()> idle = nullptr;
 };
 
 // Applies the options in argv. Returns the arguments that are no options. Throws UsageError, the text naming the
-// option.
+// option, also for one that would change nothing: whoever gave it expects something else.
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options);
 
 // One line or more for each option, for a help text.
@@ -83,6 +86,9 @@ struct ModelOptions {
 
     std::vector<Option> options();
     std::unique_ptr<Covariance> make_covariance() const;
+
+private:
+    std::string idle_unless(CovarianceFamily family) const;
 };
 
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.

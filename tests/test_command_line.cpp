@@ -40,16 +40,29 @@ TEST_CASE("an error names the option, the value and what is allowed") {
                          UsageError);
 }
 
+TEST_CASE("an option that would change nothing is refused, whatever stands before or after it") {
+    bool used = false;
+    const std::vector<Option> options = {
+        {"use", "", "", [&](const std::string&) { used = true; }},
+        {"value", "X", "", [](const std::string&) {}, [&] { return used ? "" : "it belongs to --use"; }}};
+    CHECK_THROWS_WITH_AS(parse({"--value", "3"}, options),
+                         "--value would change nothing: it belongs to --use; leave it out", UsageError);
+    CHECK_NOTHROW(parse({"--value", "3", "--use"}, options));
+    CHECK_NOTHROW(parse({"--use", "--value", "3"}, options));
+}
+
 TEST_CASE("numbers are read entirely or not at all") {
     CHECK(parse_real("0.25", 0, 1) == 0.25);
     CHECK(parse_real("1e-3", 0, 1) == 0.001);
-    for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "-inf", "1e400", "-1", "2", "0,5", "--"})
+    for (const char* text :
+         {"", "x", "1x", "1 ", "nan", "inf", "-inf", "1e400", "-1", "2", "0,5", "--", " 0.5", "0.5 ", "\t1"})
         CHECK_THROWS_AS(parse_real(text, 0, 1), UsageError);
     CHECK(parse_integer("17", 1, 20) == 17);
-    for (const char* text : {"", "0", "21", "1.5", "1e1", "99999999999999999999", "-1", "0x10", "nan"})
+    for (const char* text :
+         {"", "0", "21", "1.5", "1e1", "99999999999999999999", "-1", "0x10", "nan", " 17", "17 ", "\n17"})
         CHECK_THROWS_AS(parse_integer(text, 1, 20), UsageError);
     CHECK(parse_seed("0") == 0);
-    CHECK_THROWS_AS(parse_seed("-1"), UsageError);
+    for (const char* text : {"-1", " 1", "1 "}) CHECK_THROWS_AS(parse_seed(text), UsageError);
 }
 
 TEST_CASE("a choice is one of the names of a table, and the help lists them") {
@@ -77,6 +90,10 @@ TEST_CASE("model options make the covariance that they name") {
     CHECK_NOTHROW(model.make_covariance());
     model.smoothness = 1.4;
     CHECK_THROWS_AS(model.make_covariance(), UsageError);
+    model = {};
+    CHECK_THROWS_AS(parse({"--length-scale", "1"}, model.options()), UsageError);
+    CHECK_THROWS_AS(parse({"--covariance", "squared-exponential", "--smoothness", "1.5"}, model.options()), UsageError);
+    model = {};
     for (const char* bad : {"1", "2", "0", "nan", "1.5x"})
         CHECK_THROWS_AS(parse({"--smoothness", bad}, model.options()), UsageError);
     CHECK_THROWS_AS(parse({"--noise", "-1"}, model.options()), UsageError);

@@ -115,7 +115,10 @@ std::vector<Option> ErrorTables::options() {
              settings.bmc_estimates = static_cast<std::size_t>(parse_integer(text, 1, max_estimates));
          }},
     };
-    for (Option& option : model.options()) options.push_back(std::move(option));
+    for (Option& option : model.options()) {
+        if (option.name == "length-scale") option.idle = nullptr;  // the column se_error always has one
+        options.push_back(std::move(option));
+    }
     return options;
 }
 

@@ -1,8 +1,10 @@
 #include "experiments/input.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -34,7 +36,7 @@ void read_input(const std::string& file, const std::function<void(std::istream&)
     try {
         if (file == "-") return read(std::cin);
         std::ifstream in(file, std::ios::binary);
-        if (!in) throw std::runtime_error("cannot open this file");
+        if (!in) throw std::runtime_error(std::string("cannot open this file: ") + std::strerror(errno));
         read(in);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error((file == "-" ? "standard input" : file) + ": " + error.what());

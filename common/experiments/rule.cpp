@@ -66,15 +66,20 @@ std::string matrices_report(const Matrix& covariance, const Matrix& inverse) {
 }
 
 std::vector<Option> Rule::options() {
+    const auto drawn = [this] { return directions.empty() ? "" : "--directions gives the directions"; };
     std::vector<Option> options = {
         {"samples", "N", "directions of the rule (default 40)",
          [this](const std::string& text) {
              samples = static_cast<std::size_t>(parse_integer(text, 1, max_process_samples));
-         }},
+         },
+         drawn},
         {"directions", "FILE", "in place of drawn ones: x y z or x y z value a line (-: standard input)",
          [this](const std::string& text) { directions = parse_name(text); }},
         {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}};
-    for (Option& option : model.options()) options.push_back(std::move(option));
+    for (Option& option : model.options()) {
+        if (option.name == "placement" || option.name == "seed") option.idle = drawn;
+        options.push_back(std::move(option));
+    }
     return options;
 }
 

@@ -1,7 +1,9 @@
 // The built-in environment: radiance as a function of direction, in units of the brightest thing in the picture.
 #include "scene/desert.h"
 
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -114,7 +116,7 @@ EnvironmentMap built_in_environment() {
 EnvironmentMap load_environment(const std::string& file) {
     if (file.empty()) return built_in_environment();
     std::ifstream in(file, std::ios::binary);
-    if (!in) throw std::runtime_error(file + ": cannot open this environment");
+    if (!in) throw std::runtime_error(file + ": cannot open this environment: " + std::strerror(errno));
     try {
         return read_radiance_hdr(in);
     } catch (const std::exception& error) {
