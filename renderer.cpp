@@ -85,8 +85,8 @@ std::string help_text() {
            "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\nmethod:\n" +
            describe(method_options(request.settings)) + "\nGaussian process and its samples:\n" +
            describe(model_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
-           "\nexamples: ./renderer --method mc --samples 40 > mc.ppm\n"
-           "          ./renderer --known cosine --placement cosine-fibonacci --format pfm > out.pfm\n";
+           "\nexamples: ./renderer --method mc > mc.ppm\n"
+           "          ./renderer --known cosine --placement cosine-fibonacci > best.ppm\n";
 }
 
 // Throws UsageError.

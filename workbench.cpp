@@ -16,12 +16,12 @@ namespace {
 
 // The first is what the workbench does without a command.
 std::vector<Command> commands() {
-    return {command<ErrorTables>("", "error tables of Monte Carlo and Bayesian Monte Carlo"),
+    return {command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
             command<Rule>("rule", "directions and weights of a rule"),
-            command<Light>("light", "the built-in environment as a Radiance picture, > desert.hdr"),
-            command<Known>("known", "what it is worth to know the cosine"),
+            command<Light>("light", "the built-in light, > desert.hdr"),
+            command<Known>("known", "what knowing the cosine is worth"),
             command<Tradeoff>("tradeoff", "what accuracy costs"),
-            command<Models>("models", "which covariance and noise an integrand requires"),
+            command<Models>("models", "covariances and noise compared"),
             command<Stability>("stability", "where the arithmetic breaks")};
 }
 
@@ -38,18 +38,21 @@ Command command_named(const std::string& name) {
 std::string usage(const Command& command) {
     std::string text = "./workbench " + command.name + (command.name.empty() ? "" : " ") +
                        (command.options.empty() ? "" : "[options]");
-    text.resize(std::max<std::size_t>(text.size(), 34), ' ');
+    text.resize(std::max<std::size_t>(text.size() + 1, 33), ' ');
     return text + command.summary + '\n';
 }
 
 std::string help_text(const Command& command) {
-    const std::string options = describe(command.options) + "  --help                        this text\n";
-    if (!command.name.empty()) return "usage: " + usage(command) + '\n' + options;
+    std::vector<Option> options = command.options;
+    options.push_back(
+        {"help", "", command.name.empty() ? "this text, of a command its options" : "this text", nullptr});
+    if (!command.name.empty()) return "usage: " + usage(command) + '\n' + describe(options);
     std::string text;
     for (const Command& each : commands()) text += (text.empty() ? "usage: " : "       ") + usage(each);
-    return text + "\n./workbench COMMAND --help lists the options of a command; those of the error tables:\n" +
-           options +
-           "\nexamples: ./workbench --integrand cosine --samples 10:100:5 --bmc-estimates 100\n"
+    return text + "\nOptions of the error tables (./workbench COMMAND --help for those of a command):\n" +
+           describe(options) +
+           "\nexamples: ./workbench --integrand cosine\n"
+           "          ./workbench --integrand cosine --samples 10:100:5 --bmc-estimates 100\n"
            "          ./workbench tradeoff --no-times\n";
 }
 

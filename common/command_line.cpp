@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <system_error>
 
 namespace {
@@ -81,11 +82,18 @@ std::vector<std::string> parse_options(int argc, char** argv, const std::vector<
 }
 
 std::string describe(const std::vector<Option>& options) {
+    constexpr std::size_t indent = 23, width = 80;
     std::string text;
     for (const Option& o : options) {
         std::string line = "  --" + o.name + (o.argument.empty() ? "" : " " + o.argument);
-        line.resize(std::max<std::size_t>(line.size() + 1, 32), ' ');
-        text += line + o.description + '\n';
+        line.resize(std::max(line.size() + 1, indent - 1), ' ');
+        std::istringstream words(o.description);
+        for (std::string word; words >> word; line += ' ' + word)
+            if (line.size() + 1 + word.size() > width) {
+                text += line + '\n';
+                line = std::string(indent - 1, ' ');
+            }
+        text += line + '\n';
     }
     return text;
 }
