@@ -1,6 +1,7 @@
 #include "numerics/cholesky.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -15,95 +16,79 @@ std::string describe_pivot(std::size_t index, double value, double least) {
     return text;
 }
 
-// How often source row k is subtracted from target row i: elements of U, along a column or along a row.
-struct Multiples {
-    const Matrix& upper;
-    bool transposed;
+// So many columns are worked on at a time, side by side in a strip that has a row for each row of the matrix: narrow
+// enough for the caches, wide enough for compilers to see a loop in a row.
+constexpr std::size_t width = 24;
+using Row = std::array<double, width>;
+using Strip = std::vector<Row>;
 
-    double operator()(std::size_t k, std::size_t i) const { return transposed ? upper(k, i) : upper(i, k); }
+void subtract(double multiple, const Row& source, Row& target) {
+    for (std::size_t c = 0; c < width; ++c) target[c] -= multiple * source[c];
+}
+
+void divide(Row& row, double divisor) {
+    const double reciprocal = 1 / divisor;
+    for (double& element : row) element *= reciprocal;
+}
+
+// How often row k = 0, 1, ... of a strip is subtracted from one row and from another: numbers stride apart.
+struct Multiples {
+    const double *first, *second;
+    std::size_t stride;
 };
 
-// Subtracts multiples of the rows k, k + 1, ... of x from its rows i, i + 1, ..., in this order, in the columns
-// [first, last). An element of a target stays in a register for all sources, an element of a source serves all targets:
-// otherwise the loop would wait for memory. The counts are constants, so that the loop over j is the only one left, and
-// not larger, so that compilers still prove the rows apart.
-template <std::size_t sources, std::size_t targets>
-void subtract_rows(Matrix& x, std::size_t k, std::size_t i, const Multiples& multiples, std::size_t first,
-                   std::size_t last) {
-    const double* source[sources];
-    double* target[targets];
-    double factor[sources][targets];
-    for (std::size_t s = 0; s < sources; ++s) source[s] = x.row(k + s);
-    for (std::size_t t = 0; t < targets; ++t) target[t] = x.row(i + t);
-    for (std::size_t s = 0; s < sources; ++s)
-        for (std::size_t t = 0; t < targets; ++t) factor[s][t] = multiples(k + s, i + t);
-    for (std::size_t j = first; j < last; ++j) {
-        double sum[targets];
-        for (std::size_t t = 0; t < targets; ++t) sum[t] = target[t][j];
-        for (std::size_t s = 0; s < sources; ++s)
-            for (std::size_t t = 0; t < targets; ++t) sum[t] -= factor[s][t] * source[s][j];
-        for (std::size_t t = 0; t < targets; ++t) target[t][j] = sum[t];
+// Subtracts multiples of the rows k = begin, ..., end - 1 of the strip, in this order, from its row i and, if there are
+// two, from row i + 1. The two are copies, so that they stay in registers: otherwise the loop would wait for memory.
+void eliminate(Strip& x, std::size_t begin, std::size_t end, std::size_t i, bool two, Multiples multiples) {
+    const auto [a, b, stride] = multiples;
+    if (!two) {
+        for (std::size_t k = begin; k < end; ++k) subtract(a[k * stride], x[k], x[i]);
+        return;
+    }
+    Row first = x[i], second = x[i + 1];
+    for (std::size_t k = begin; k < end; ++k) {
+        const Row& source = x[k];
+        subtract(a[k * stride], source, first);
+        subtract(b[k * stride], source, second);
+    }
+    x[i] = first;
+    x[i + 1] = second;
+}
+
+// The rows [begin, end) of Y, where L Y = X, in place of X; Y is 0 above them.
+void substitute_forward(const Matrix& upper, Strip& x, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; i += 2) {
+        const bool two = i + 1 < end;
+        eliminate(x, begin, i, i, two, {upper.row(0) + i, upper.row(0) + i + 1, upper.columns()});
+        divide(x[i], upper(i, i));
+        if (!two) break;
+        subtract(upper(i, i + 1), x[i], x[i + 1]);
+        divide(x[i + 1], upper(i + 1, i + 1));
     }
 }
 
-// The same for all source rows [begin, end).
-template <std::size_t targets>
-void eliminate(Matrix& x, std::size_t begin, std::size_t end, std::size_t i, const Multiples& multiples,
-               std::size_t first, std::size_t last) {
-    std::size_t k = begin;
-    for (; k + 3 <= end; k += 3) subtract_rows<3, targets>(x, k, i, multiples, first, last);
-    for (; k < end; ++k) subtract_rows<1, targets>(x, k, i, multiples, first, last);
-}
-
-void divide(double* row, double divisor, std::size_t first, std::size_t last) {
-    const double reciprocal = 1 / divisor;
-    for (std::size_t j = first; j < last; ++j) row[j] *= reciprocal;
-}
-
-// Row k of A, less the multiples of the rows above, becomes row k of the factor.
-void finish_row(Matrix& upper, std::size_t k, double diagonal) {
-    double* row = upper.row(k);
-    const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(diagonal);
-    if (!(row[k] > least)) throw NotPositiveDefinite(k, row[k], least);
-    row[k] = std::sqrt(row[k]);
-    divide(row, row[k], k + 1, upper.columns());
-    std::fill(row, row + k, 0.0);
-}
-
-template <std::size_t rows>
-void factor_rows(Matrix& upper, std::size_t i) {
-    const Multiples multiples{upper, true};
-    const std::size_t n = upper.rows();
-    double diagonal[rows];
-    for (std::size_t r = 0; r < rows; ++r) diagonal[r] = upper(i + r, i + r);
-    eliminate<rows>(upper, 0, i, i, multiples, i, n);
-    for (std::size_t r = 0; r < rows; ++r) {
-        eliminate<1>(upper, i, i + r, i + r, multiples, i + r, n);
-        finish_row(upper, i + r, diagonal[r]);
+// X, where U X = Y, in place of Y.
+void substitute_back(const Matrix& upper, Strip& x) {
+    std::size_t i = x.size();
+    for (; i >= 2; i -= 2) {
+        eliminate(x, i, x.size(), i - 2, true, {upper.row(i - 2), upper.row(i - 1), 1});
+        divide(x[i - 1], upper(i - 1, i - 1));
+        subtract(upper(i - 2, i - 1), x[i - 1], x[i - 2]);
+        divide(x[i - 2], upper(i - 2, i - 2));
     }
+    if (i == 0) return;
+    eliminate(x, 1, x.size(), 0, false, {upper.row(0), nullptr, 1});
+    divide(x[0], upper(0, 0));
 }
 
-// The rows i, i + 1, ... of Y from those before, where L Y = X; Y is lower triangular because X = I.
-template <std::size_t rows>
-void substitute_forward(const Matrix& upper, Matrix& x, std::size_t i) {
-    const Multiples multiples{upper, true};
-    eliminate<rows>(x, 0, i, i, multiples, 0, i);
-    for (std::size_t r = 0; r < rows; ++r) {
-        eliminate<1>(x, i, i + r, i + r, multiples, 0, i + r);
-        divide(x.row(i + r), upper(i + r, i + r), 0, i + r + 1);
-    }
-}
-
-// The rows i, i + 1, ... of X from those after, where U X = Y.
-template <std::size_t rows>
-void substitute_back(const Matrix& upper, Matrix& x, std::size_t i) {
-    const Multiples multiples{upper, false};
-    const std::size_t n = x.columns();
-    eliminate<rows>(x, i + rows, n, i, multiples, 0, n);
-    for (std::size_t r = rows; r-- > 0;) {
-        eliminate<1>(x, i + r + 1, i + rows, i + r, multiples, 0, n);
-        divide(x.row(i + r), upper(i + r, i + r), 0, n);
-    }
+// Row i of the strip that begins at column j, in which row i of A is less the multiples of the rows above, becomes row
+// i of the factor.
+void finish_row(Strip& x, std::size_t i, std::size_t j, double diagonal) {
+    const double pivot = x[i][i - j], least = static_cast<double>(i + 1) * DBL_EPSILON * std::fabs(diagonal);
+    if (!(pivot > least)) throw NotPositiveDefinite(i, pivot, least);
+    divide(x[i], std::sqrt(pivot));
+    x[i][i - j] = std::sqrt(pivot);
+    std::fill(x[i].begin(), x[i].begin() + static_cast<std::ptrdiff_t>(i - j), 0.0);
 }
 
 }  // namespace
@@ -117,9 +102,22 @@ NotPositiveDefinite::NotPositiveDefinite(const std::string& subject, const NotPo
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {
     const std::size_t n = upper_.rows();
     if (upper_.columns() != n) throw std::invalid_argument("cholesky: the matrix must be square");
-    std::size_t i = 0;
-    for (; i + 2 <= n; i += 2) factor_rows<2>(upper_, i);
-    if (i < n) factor_rows<1>(upper_, i);
+    Strip x(n);
+    for (std::size_t j = 0; j < n; j += width) {
+        const std::size_t end = std::min(j + width, n);
+        for (std::size_t i = 0; i < end; ++i) std::copy(upper_.row(i) + j, upper_.row(i) + end, x[i].begin());
+        substitute_forward(upper_, x, 0, j);
+        for (std::size_t i = j; i < end; i += 2) {
+            const bool two = i + 1 < end;
+            eliminate(x, 0, i, i, two, {x[0].data() + (i - j), x[0].data() + (i - j) + 1, width});
+            finish_row(x, i, j, upper_(i, i));
+            if (!two) break;
+            subtract(x[i][i + 1 - j], x[i], x[i + 1]);
+            finish_row(x, i + 1, j, upper_(i + 1, i + 1));
+        }
+        for (std::size_t i = 0; i < end; ++i) std::copy_n(x[i].begin(), end - j, upper_.row(i) + j);
+        for (std::size_t i = end; i < n; ++i) std::fill(upper_.row(i) + j, upper_.row(i) + end, 0.0);
+    }
 }
 
 std::vector<double> Cholesky::solve_lower(std::vector<double> b) const {
@@ -145,14 +143,17 @@ std::vector<double> Cholesky::solve(std::vector<double> b) const {
 // solutions has residuals far above rounding where A is nearly singular.
 Matrix Cholesky::inverse() const {
     const std::size_t n = size();
-    Matrix x(n, n);
-    for (std::size_t i = 0; i < n; ++i) x(i, i) = 1;
-    std::size_t i = 0;
-    for (; i + 2 <= n; i += 2) substitute_forward<2>(upper_, x, i);
-    if (i < n) substitute_forward<1>(upper_, x, i);
-    for (i = n; i >= 2; i -= 2) substitute_back<2>(upper_, x, i - 2);
-    if (i > 0) substitute_back<1>(upper_, x, 0);
-    return x;
+    Matrix inverse(n, n);
+    Strip x(n);
+    for (std::size_t j = 0; j < n; j += width) {
+        const std::size_t w = std::min(width, n - j);
+        std::fill(x.begin(), x.end(), Row{});
+        for (std::size_t c = 0; c < w; ++c) x[j + c][c] = 1;
+        substitute_forward(upper_, x, j, n);
+        substitute_back(upper_, x);
+        for (std::size_t i = 0; i < n; ++i) std::copy(x[i].begin(), x[i].begin() + w, inverse.row(i) + j);
+    }
+    return inverse;
 }
 
 double Cholesky::log_determinant() const {

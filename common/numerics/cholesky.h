@@ -3,7 +3,7 @@
 //
 // The factor is kept as U = L^T, row by row. Every element is computed by the rule
 //     u_kj = (a_kj - u_0k u_0j - u_1k u_1j - ... - u_(k-1)k u_(k-1)j) / u_kk,   terms subtracted in that order,
-// with the loop over j innermost: neighbouring j are independent, so the compiler may compute them side by side and no
+// with a loop over j innermost: neighbouring j are independent, so the compiler may compute them side by side and no
 // sum is ever reordered. That is why the result has the same bits for any vector width.
 #pragma once
 
