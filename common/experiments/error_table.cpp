@@ -46,16 +46,44 @@ double mean(double sum, std::size_t estimates, const Integrand& integrand) {
     return error < 1e-12 * std::fabs(integrand.truth) ? 0 : error;
 }
 
-void add_rival_error(ErrorRow& row, const Integrand& integrand, const Covariance& rival, double noise,
-                     const std::vector<Vec3>& directions) {
-    if (!row.refusal.empty()) return;
+// On the directions of the same estimates.
+void add_rival_error(ErrorRow& row, const Integrand& integrand, const Covariance& rival,
+                     const ErrorSettings& settings) {
+    double sum = 0;
     try {
-        const GaussianProcess process(rival, noise, directions);
-        row.rival_error += std::fabs(process.integral(sample(integrand, directions)) - integrand.truth);
+        for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
+            const std::vector<Vec3> directions = estimate_directions(settings.placement, row.samples, settings.seed, e);
+            const GaussianProcess process(rival, settings.noise, directions);
+            sum += std::fabs(process.integral(sample(integrand, directions)) - integrand.truth);
+        }
+        row.rival_error = mean(sum, settings.bmc_estimates, integrand);
     } catch (const NotPositiveDefinite& error) {
         row.refusal = error.what();
     }
 }
+
+// BEGIN SOLUTION table
+// The means of |estimate - truth| over so many estimates with n samples, and of the standard errors that Bayesian Monte
+// Carlo predicts. Estimate e takes the directions that estimate_directions gives for it.
+ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, const ErrorSettings& settings,
+                   std::size_t n) {
+    ErrorRow row{n, 0, 0, 0, 0};
+    for (std::size_t e = 0; e < std::max(settings.mc_estimates, settings.bmc_estimates); ++e) {
+        const std::vector<Vec3> directions = estimate_directions(settings.placement, n, settings.seed, e);
+        if (e < settings.mc_estimates)
+            row.mc_error +=
+                std::fabs(apply(monte_carlo_rule(directions, settings.placement), integrand) - integrand.truth);
+        if (e >= settings.bmc_estimates) continue;
+        const std::vector<double> values = sample(integrand, directions, settings.prior.known);
+        const GaussianProcess process(covariance, settings.noise, directions, settings.prior);
+        row.bmc_error += std::fabs(process.integral(values) - integrand.truth);
+        row.bmc_predicted += process.standard_error(values);
+    }
+    row.mc_error = mean(row.mc_error, settings.mc_estimates, integrand);
+    for (double* sum : {&row.bmc_error, &row.bmc_predicted}) *sum = mean(*sum, settings.bmc_estimates, integrand);
+    return row;
+}
+// END SOLUTION
 
 }  // namespace
 
@@ -68,23 +96,8 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& 
                                   const ErrorSettings& settings) {
     std::vector<ErrorRow> rows;
     for (const std::size_t n : settings.samples) {
-        ErrorRow row{n, 0, 0, 0, 0};
-        for (std::size_t e = 0; e < std::max(settings.mc_estimates, settings.bmc_estimates); ++e) {
-            const std::vector<Vec3> directions = estimate_directions(settings.placement, n, settings.seed, e);
-            if (e < settings.mc_estimates)
-                row.mc_error +=
-                    std::fabs(apply(monte_carlo_rule(directions, settings.placement), integrand) - integrand.truth);
-            if (e >= settings.bmc_estimates) continue;
-            const std::vector<double> values = sample(integrand, directions, settings.prior.known);
-            const GaussianProcess process(covariance, settings.noise, directions, settings.prior);
-            row.bmc_error += std::fabs(process.integral(values) - integrand.truth);
-            row.bmc_predicted += process.standard_error(values);
-            add_rival_error(row, integrand, rival, settings.noise, directions);
-        }
-        row.mc_error = mean(row.mc_error, settings.mc_estimates, integrand);
-        for (double* sum : {&row.bmc_error, &row.bmc_predicted, &row.rival_error})
-            *sum = mean(*sum, settings.bmc_estimates, integrand);
-        rows.push_back(row);
+        rows.push_back(error_row(integrand, covariance, settings, n));
+        add_rival_error(rows.back(), integrand, rival, settings);
     }
     return rows;
 }

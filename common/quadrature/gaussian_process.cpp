@@ -23,25 +23,52 @@ Cholesky factor(const Covariance& covariance, double noise, const std::vector<Ve
     }
 }
 
-}  // namespace
+// BEGIN SOLUTION integral
+// The weights w = Q^-1 z of a process with the prior mean zero, from the factor of Q.
+std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z) {
+    return cholesky.solve(z);
+}
+// END SOLUTION
 
-std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
-                                         KnownPart known) {
-    std::vector<double> z;
-    z.reserve(directions.size());
-    for (const Vec3& direction : directions) {
+// BEGIN SOLUTION integral
+// The posterior variance zz - z^T Q^-1 z of the integral. It is not negative, but rounding can make it so.
+double posterior_variance(double zz, const std::vector<double>& z, const std::vector<double>& weights) {
+    return std::max(0.0, zz - sum_of_products(z, weights));
+}
+// END SOLUTION
+
+void require_upper_hemisphere(const std::vector<Vec3>& directions) {
+    for (const Vec3& direction : directions)
         if (!(direction.y >= 0))
             throw std::invalid_argument("a direction lies below the horizon: its y is " + std::to_string(direction.y));
-        z.push_back(std::min(direction.y, 1.0));
-    }
-    covariance.hemisphere_integrals(z, known);
-    return z;
 }
 
-Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
+void require_valid(double noise, const std::vector<Vec3>& directions) {
     if (directions.empty()) throw std::invalid_argument("a Gaussian process needs at least one direction");
     if (!(noise >= 0 && std::isfinite(noise)))
         throw std::invalid_argument("the noise must be at least 0; it is " + std::to_string(noise));
+}
+
+}  // namespace
+
+// BEGIN SOLUTION z
+// Each z_j from the closed form that the covariance has for it, a function of the elevation cosine y of the direction;
+// rounding can leave y slightly above 1.
+std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
+                                         KnownPart known) {
+    require_upper_hemisphere(directions);
+    std::vector<double> z;
+    z.reserve(directions.size());
+    for (const Vec3& direction : directions) z.push_back(std::min(direction.y, 1.0));
+    covariance.hemisphere_integrals(z, known);
+    return z;
+}
+// END SOLUTION
+
+// BEGIN SOLUTION inverse
+// Q_ij = k(w_i, w_j) + noise^2 delta_ij. The covariance is a function of the squared chord |w_i - w_j|^2.
+Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
+    require_valid(noise, directions);
     const std::size_t n = directions.size();
     Matrix q(n, n);
     std::vector<double> row;
@@ -57,13 +84,14 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
     }
     return q;
 }
+// END SOLUTION
 
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior)
     : directions_(std::move(directions)),
       z_(hemisphere_integrals(covariance, directions_, prior.known)),
       cholesky_(factor(covariance, noise, directions_)),
-      weights_(cholesky_.solve(z_)),
-      variance_(std::max(0.0, covariance.double_integral(prior.known) - sum_of_products(z_, weights_))) {
+      weights_(bayesian_weights(cholesky_, z_)),
+      variance_(posterior_variance(covariance.double_integral(prior.known), z_, weights_)) {
     if (prior.mean == PriorMean::uniform) add_uniform_light(prior.known);
 }
 
@@ -79,10 +107,12 @@ void GaussianProcess::add_uniform_light(KnownPart known) {
     for (std::size_t i = 0; i < mean_.size(); ++i) weights_[i] += solved_mean_[i] * (missing / mean_information_);
 }
 
+// BEGIN SOLUTION integral
 double GaussianProcess::integral(const std::vector<double>& values) const {
     require_one_value_per_direction(values);
     return sum_of_products(weights_, values);
 }
+// END SOLUTION
 
 double GaussianProcess::freedom() const {
     const double n = static_cast<double>(directions_.size());

@@ -10,12 +10,15 @@ std::vector<Vec3> place_directions(Placement placement, std::size_t n, Random& r
     return directions;
 }
 
+// BEGIN SOLUTION montecarlo
+// Uniform directions have the density 1 / 2 pi, those distributed by the cosine cos(theta) / pi.
 QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Placement placement) {
     const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
     const double n = static_cast<double>(directions.size());
     std::vector<double> weights(directions.size(), (cosine ? portable::pi : 2 * portable::pi) / n);
     return {std::move(directions), std::move(weights), cosine ? KnownPart::cosine : KnownPart::nothing};
 }
+// END SOLUTION
 
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior) {
     const GaussianProcess process(covariance, noise, std::move(directions), prior);
