@@ -16,6 +16,17 @@ std::string describe_pivot(std::size_t index, double value, double least) {
     return text;
 }
 
+}  // namespace
+
+NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least)
+    : std::runtime_error(describe_pivot(pivot_index, pivot_value, least)), index(pivot_index), value(pivot_value) {}
+
+NotPositiveDefinite::NotPositiveDefinite(const std::string& subject, const NotPositiveDefinite& error)
+    : std::runtime_error(subject + error.what()), index(error.index), value(error.value) {}
+
+// BEGIN SOLUTION inverse
+namespace {
+
 // So many columns are worked on at a time, side by side in a strip that has a row for each row of the matrix: narrow
 // enough for the caches, wide enough for compilers to see a loop in a row.
 constexpr std::size_t width = 24;
@@ -93,12 +104,6 @@ void finish_row(Strip& x, std::size_t i, std::size_t j, double diagonal) {
 
 }  // namespace
 
-NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least)
-    : std::runtime_error(describe_pivot(pivot_index, pivot_value, least)), index(pivot_index), value(pivot_value) {}
-
-NotPositiveDefinite::NotPositiveDefinite(const std::string& subject, const NotPositiveDefinite& error)
-    : std::runtime_error(subject + error.what()), index(error.index), value(error.value) {}
-
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {
     const std::size_t n = upper_.rows();
     if (upper_.columns() != n) throw std::invalid_argument("cholesky: the matrix must be square");
@@ -119,6 +124,7 @@ Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {
         for (std::size_t i = end; i < n; ++i) std::fill(upper_.row(i) + j, upper_.row(i) + end, 0.0);
     }
 }
+// END SOLUTION
 
 std::vector<double> Cholesky::solve_lower(std::vector<double> b) const {
     const std::size_t n = size();
@@ -139,6 +145,7 @@ std::vector<double> Cholesky::solve(std::vector<double> b) const {
     return x;
 }
 
+// BEGIN SOLUTION inverse
 // By symmetry the back substitution need only compute half of every row; but an inverse whose columns mix several
 // solutions has residuals far above rounding where A is nearly singular.
 Matrix Cholesky::inverse() const {
@@ -155,6 +162,7 @@ Matrix Cholesky::inverse() const {
     }
     return inverse;
 }
+// END SOLUTION
 
 double Cholesky::log_determinant() const {
     double sum = 0;

@@ -7,6 +7,14 @@
 
 namespace {
 
+// BEGIN SOLUTION shade
+// The weight of direction i in the integral of L cos(theta), where L is to be sampled: the cosine belongs to the
+// weights unless it is the rule's known part, which its weights have in them.
+double cosine_weight(const QuadratureRule& rule, std::size_t i) {
+    return rule.known == KnownPart::cosine ? rule.weights[i] : rule.weights[i] * rule.directions[i].y;
+}
+// END SOLUTION
+
 // A quadrature rule for the cosine-weighted integral, as the loop over its directions reads it: an array per component,
 // so that the compiler can compute neighbouring directions side by side, and cos(theta), which no rotation about the up
 // axis changes, folded into the weights once.
@@ -19,11 +27,12 @@ struct CosineRule {
             x.push_back(direction.x);
             y.push_back(direction.y);
             z.push_back(direction.z);
-            weight.push_back(rule.known == KnownPart::cosine ? rule.weights[i] : rule.weights[i] * direction.y);
+            weight.push_back(cosine_weight(rule, i));
         }
     }
 };
 
+// BEGIN SOLUTION shade
 // Frame, shadow and grid come by value: what only these loops can see, their stores cannot change, so they vectorise.
 
 // The weight of every direction [begin, end) that leaves the surface past the other object; 0 for those in shadow.
@@ -48,7 +57,8 @@ void find_texels(const CosineRule& rule, std::size_t begin, std::size_t end, Fra
 // grow with their number.
 constexpr std::size_t batch = 512;
 
-// The light that a point reflects, by a rule that the frame carries to its surface.
+// The light that a point reflects, by a rule that the frame carries to its surface: the sum of weights times the
+// environment's radiance in the directions that pass the other object, times albedo / pi.
 Color shade(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
             const Frame& frame) {
     double weight[batch];
@@ -69,6 +79,7 @@ Color shade(const Scene& scene, const EnvironmentMap& environment, const Hit& hi
     return 1 / portable::pi *
            Color{hit.albedo.x * irradiance.x, hit.albedo.y * irradiance.y, hit.albedo.z * irradiance.z};
 }
+// END SOLUTION
 
 // The random streams of the rules that pixels share; pixels use the streams from 0.
 constexpr std::uint64_t first_rule_stream = std::uint64_t{1} << 63;
@@ -124,15 +135,41 @@ private:
         return CosineRule(bayesian_rule(covariance_, settings_.noise, std::move(directions), settings_.prior));
     }
 
+    // BEGIN SOLUTION direct
+    // A Gaussian process for every integral, on fresh directions from the pixel's random numbers.
+    Color direct(const Hit& hit, Random& random) const {
+        const CosineRule rule = fresh_rule(settings_.samples, random);
+        return shade(scene_, environment_, hit, rule, Frame(hit.normal));
+    }
+    // END SOLUTION
+
+    // BEGIN SOLUTION single
+    // One process for the whole image, shared_rules_[0], its up axis aligned with the normal.
+    Color single(const Hit& hit) const { return shade(scene_, environment_, hit, shared_rules_[0], Frame(hit.normal)); }
+    // END SOLUTION
+
+    // BEGIN SOLUTION rotated
+    // The same, but turned about its up axis by the pixel's own random angle before it is aligned with the normal.
+    Color rotated(const Hit& hit, double turns) const {
+        return shade(scene_, environment_, hit, shared_rules_[0], Frame(hit.normal).rotated(turns));
+    }
+    // END SOLUTION
+
+    // BEGIN SOLUTION pool
+    // A random one of several processes, shared_rules_, turned like the one; u is uniform in [0, 1).
+    Color pool(const Hit& hit, double u, double turns) const {
+        const auto choice = static_cast<std::size_t>(u * static_cast<double>(shared_rules_.size()));
+        return shade(scene_, environment_, hit, shared_rules_[choice], Frame(hit.normal).rotated(turns));
+    }
+    // END SOLUTION
+
     Color reflected_light(const Hit& hit, Random random) const {
-        const Frame frame(hit.normal);
-        if (settings_.method == Method::single) return shade(scene_, environment_, hit, shared_rules_[0], frame);
-        if (settings_.method == Method::direct)
-            return shade(scene_, environment_, hit, fresh_rule(settings_.samples, random), frame);
-        if (shared_rules_.empty()) return monte_carlo_light(hit, frame, random);
-        const auto choice = static_cast<std::size_t>(random.uniform() * static_cast<double>(shared_rules_.size()));
+        if (settings_.method == Method::direct) return direct(hit, random);
+        if (settings_.method == Method::single) return single(hit);
+        if (shared_rules_.empty()) return monte_carlo_light(hit, Frame(hit.normal), random);
+        const double u = random.uniform();
         const double turns = random.uniform();
-        return shade(scene_, environment_, hit, shared_rules_[choice], frame.rotated(turns));
+        return settings_.method == Method::pool ? pool(hit, u, turns) : rotated(hit, turns);
     }
 
     // The mean over parts of the directions, each a rule of its own.
