@@ -36,7 +36,7 @@ $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
 $(BUILD)/unit_tests: $(TESTS) $(COMMON)
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/compare.o
+$(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_tolerant.o $(BUILD)/common/scene/scene.o
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
 
 $(BUILD)/%.o: %.cpp $(BUILD)/settings

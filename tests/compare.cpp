@@ -1,5 +1,11 @@
 // compare REFERENCE ACTUAL: says in words what changed first between an output and its reference, by how much, and how
 // much changed. Knows text tables, PPM (P6) and PFM (PF). Exit status: 0 equal, 1 different, 2 a file cannot be read.
+//
+// compare --tolerant[=T] REFERENCE ACTUAL [NAME=FILE]...: the same for the output of another program. Numbers agree
+// within a relative T (0.001) plus 1e-9, pictures in all but 0.1 % of their pixels; what differs is told as a person
+// would see it. NAME=FILE is an output that the other could be mistaken for.
+#include "compare.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,16 +21,6 @@
 #include <utility>
 #include <vector>
 
-namespace {
-
-std::string read_file(const char* name) {
-    std::ifstream in(name, std::ios::binary);
-    std::ostringstream content;
-    if (in.peek() != EOF) content << in.rdbuf();
-    if (!in.is_open() || in.bad() || content.fail()) throw std::runtime_error(std::string("cannot read ") + name);
-    return content.str();
-}
-
 std::string in_words(double value, int digits) {
     char text[40];
     std::snprintf(text, sizeof text, "%.*g", digits, value);
@@ -35,8 +31,6 @@ std::string count_of(std::size_t differing, std::size_t all, const char* what) {
     return std::to_string(differing) + " of " + std::to_string(all) + " " + what +
            (differing == 1 ? " differs" : " differ");
 }
-
-// ---- Text: lines of columns between white space; a line that begins with # is a header.
 
 std::vector<std::string> split_lines(const std::string& text) {
     std::vector<std::string> lines;
@@ -51,6 +45,25 @@ std::vector<std::string> split_columns(const std::string& line) {
 }
 
 bool is_row(const std::string& line) { return line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#'; }
+
+double Picture::value(std::size_t i) const {
+    if (!floats) return channels[i];
+    float number;
+    std::memcpy(&number, &channels[i], sizeof number);
+    return static_cast<double>(number);
+}
+
+namespace {
+
+std::string read_file(const char* name) {
+    std::ifstream in(name, std::ios::binary);
+    std::ostringstream content;
+    if (in.peek() != EOF) content << in.rdbuf();
+    if (!in.is_open() || in.bad() || content.fail()) throw std::runtime_error(std::string("cannot read ") + name);
+    return content.str();
+}
+
+// ---- Text
 
 std::optional<double> number(const std::string& text) {
     char* end = nullptr;
@@ -106,21 +119,7 @@ std::string text_difference(const std::string& reference_file, const std::string
     return text;
 }
 
-// ---- Images: three channels a pixel.
-
-struct Picture {
-    bool floats;
-    std::size_t width, height;
-    std::string header;                   // in one line
-    std::vector<std::uint32_t> channels;  // PPM: the bytes; PFM: the bits of the floats
-
-    double value(std::size_t i) const {
-        if (!floats) return channels[i];
-        float number;
-        std::memcpy(&number, &channels[i], sizeof number);
-        return static_cast<double>(number);
-    }
-};
+// ---- Pictures
 
 // The sign of a PFM's scale says which byte comes first, whatever the order of this machine.
 std::uint32_t word_at(const std::string& bytes, std::size_t at, bool little_endian) {
@@ -149,51 +148,97 @@ std::optional<Picture> parse_picture(const std::string& bytes) {
 }
 
 std::string describe_channel(const Picture& reference, const Picture& actual, std::size_t i) {
-    const std::size_t x = i / 3 % reference.width, row = i / 3 / reference.width;
-    const std::size_t y =
-        reference.floats ? reference.height - 1 - row : row;  // from the top; a PFM begins at the bottom
+    const std::size_t x = i / 3 % reference.width,
+                      y = reference.index(0, i / 3 / reference.width) / 3 / reference.width;
     const char* const colours[] = {"red", "green", "blue"};
     return "pixel (x " + std::to_string(x) + ", y " + std::to_string(y) + "), " + colours[i % 3] + ": reference " +
            in_words(reference.value(i), 9) + ", here " + in_words(actual.value(i), 9);
 }
 
-std::string picture_difference(const Picture& reference, const std::string& actual_bytes) {
-    const std::optional<Picture> actual = parse_picture(actual_bytes);
+// The picture to compare with the reference, or in words why there is none.
+std::string picture_problem(const Picture& reference, const std::optional<Picture>& actual, std::size_t bytes) {
     if (!actual)
-        return "reference: a picture (" + reference.header + "), here: " + std::to_string(actual_bytes.size()) +
+        return "reference: a picture (" + reference.header + "), here: " + std::to_string(bytes) +
                " bytes that are not a complete one";
-    if (reference.header != actual->header) return "header: reference " + reference.header + ", here " + actual->header;
+    return reference.header == actual->header ? ""
+                                              : "header: reference " + reference.header + ", here " + actual->header;
+}
+
+std::string picture_difference(const Picture& reference, const Picture& actual) {
     const std::size_t channels = reference.channels.size();
     std::size_t first = channels, differing = 0, last_pixel = channels;
     double largest = 0;
     for (std::size_t i = 0; i < channels; ++i) {
-        if (reference.channels[i] == actual->channels[i]) continue;
+        if (reference.channels[i] == actual.channels[i]) continue;
         first = std::min(first, i);
         if (i / 3 != std::exchange(last_pixel, i / 3)) ++differing;
-        largest = std::fmax(largest, std::fabs(reference.value(i) - actual->value(i)));  // passes over a nan
+        largest = std::fmax(largest, std::fabs(reference.value(i) - actual.value(i)));  // passes over a nan
     }
     if (differing == 0) return "only the white space in the header differs";
-    return describe_channel(reference, *actual, first) + "; " +
+    return describe_channel(reference, actual, first) + "; " +
            count_of(differing, reference.width * reference.height, "pixels") + ", at most by " + in_words(largest, 3);
 }
 
-int compare(const char* reference_name, const char* actual_name) {
-    const std::string reference = read_file(reference_name), actual = read_file(actual_name);
+struct Request {
+    std::optional<double> tolerance;
+    std::vector<std::string> files;          // reference, actual
+    std::vector<Named<std::string>> others;  // contents
+};
+
+Request parse(int argc, char** argv) {
+    Request request;
+    int i = 1;
+    if (i < argc && std::strncmp(argv[i], "--tolerant", 10) == 0) {
+        const std::string option = argv[i++];
+        request.tolerance =
+            option == "--tolerant" ? 1e-3 : number(option.substr(std::min(option.size(), std::size_t{11})));
+        if (!request.tolerance || !(*request.tolerance >= 0))
+            throw std::runtime_error(option + " is no --tolerant=NUMBER");
+    }
+    for (; i < argc && request.files.size() < 2; ++i) request.files.push_back(argv[i]);
+    for (; i < argc && request.tolerance; ++i) {
+        const std::string word = argv[i];
+        const std::size_t equals = word.rfind('=');
+        if (equals == std::string::npos) throw std::runtime_error(word + " is no NAME=FILE");
+        request.others.push_back({word.substr(0, equals), read_file(word.c_str() + equals + 1)});
+    }
+    if (i < argc || request.files.size() < 2)
+        throw std::runtime_error(
+            "usage: compare REFERENCE ACTUAL, or compare --tolerant[=T] REFERENCE ACTUAL [NAME=FILE]...");
+    return request;
+}
+
+std::string difference(const Request& request, const std::string& reference, const std::string& actual) {
+    const std::optional<Picture> expected = parse_picture(reference);
+    if (!expected && reference.compare(0, 1, "P") == 0)
+        throw std::runtime_error(request.files[0] + " is a damaged picture (were its line ends converted?)");
+    if (!expected && request.tolerance)
+        return tolerant_text_difference(reference, actual, *request.tolerance, request.others);
+    if (!expected) return text_difference(reference, actual);
+    const std::optional<Picture> found = parse_picture(actual);
+    const std::string problem = picture_problem(*expected, found, actual.size());
+    if (!problem.empty()) return problem;
+    if (!request.tolerance) return picture_difference(*expected, *found);
+    std::vector<Named<Picture>> others;
+    for (const Named<std::string>& other : request.others)
+        if (const std::optional<Picture> picture = parse_picture(other.output))
+            others.push_back({other.name, *picture});
+    return tolerant_picture_difference(*expected, *found, others);
+}
+
+int compare(const Request& request) {
+    const std::string reference = read_file(request.files[0].c_str()), actual = read_file(request.files[1].c_str());
     if (reference == actual) return 0;
-    const std::optional<Picture> picture = parse_picture(reference);
-    if (!picture && reference.compare(0, 1, "P") == 0)
-        throw std::runtime_error(std::string(reference_name) + " is a damaged picture (were its line ends converted?)");
-    const std::string difference = picture ? picture_difference(*picture, actual) : text_difference(reference, actual);
-    if (!difference.empty()) std::printf("%s\n", difference.c_str());
-    return difference.empty() ? 0 : 1;
+    const std::string words = difference(request, reference, actual);
+    if (!words.empty()) std::printf("%s\n", words.c_str());
+    return words.empty() ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        if (argc != 3) throw std::runtime_error("usage: compare REFERENCE ACTUAL");
-        return compare(argv[1], argv[2]);
+        return compare(parse(argc, argv));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "compare: %s\n", error.what());
         return 2;
