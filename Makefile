@@ -4,6 +4,7 @@
 # make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
 # make figures      draws the figures of README.md from the programs' output
+# make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
 # make references   rewrites tests/references: only when the output is meant to change
 # make clean        removes what make made
@@ -27,7 +28,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp common/*/*.cpp))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
 
-.PHONY: always all test portability fuzz bench figures format-check references clean
+.PHONY: always all test portability fuzz bench figures seconds format-check references clean
 all: $(BIN)/workbench $(BIN)/renderer
 
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
@@ -75,8 +76,8 @@ $(BUILD)/bench: $(BUILD)/tests/bench.o $(COMMON)
 format-check:
 	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*.cpp tests/*.h
 
-figures: all
-	BIN=$(BIN) tests/figures
+figures seconds: all
+	BIN=$(BIN) tests/figures $(if $(filter seconds,$@),--seconds)
 
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/run --rewrite
