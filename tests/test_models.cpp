@@ -13,7 +13,8 @@ const Model smooth{CovarianceFamily::squared_exponential, 1};
 
 TEST_CASE("the smooth covariance wins on the smooth cosine, and evidence and leave-one-out know it") {
     const std::vector<Integrand> cosine{practice_integrands()[1]};
-    const ModelRow sobolev = judge(rough, 0.01, cosine, 40, 100), exponential = judge(smooth, 0.01, cosine, 40, 100);
+    const ModelRow sobolev = judge(rough, 0.01, {cosine}, 40, 100)[0],
+                   exponential = judge(smooth, 0.01, {cosine}, 40, 100)[0];
     CHECK(exponential.rmse < 0.3 * sobolev.rmse);
     CHECK(exponential.log_evidence > sobolev.log_evidence + 1);
     CHECK(exponential.leave_one_out < 0.3 * sobolev.leave_one_out);
@@ -21,8 +22,8 @@ TEST_CASE("the smooth covariance wins on the smooth cosine, and evidence and lea
 
 TEST_CASE("the rough covariance wins on radiance, and evidence and leave-one-out know it") {
     const std::vector<Integrand> radiance = scene_integrands();
-    const ModelRow sobolev = judge(rough, 0.01, radiance, 40, 100),
-                   exponential = judge(smooth, 0.01, radiance, 40, 100);
+    const ModelRow sobolev = judge(rough, 0.01, {radiance}, 40, 100)[0],
+                   exponential = judge(smooth, 0.01, {radiance}, 40, 100)[0];
     CHECK(exponential.rmse > 1.3 * sobolev.rmse);
     CHECK(exponential.log_evidence < sobolev.log_evidence - 0.3);
     CHECK(exponential.leave_one_out > 1.3 * sobolev.leave_one_out);
@@ -33,7 +34,7 @@ TEST_CASE("the rough covariance wins on radiance, and evidence and leave-one-out
 TEST_CASE("85 to 99.9 percent of the errors on radiance lie within two predicted standard errors") {
     const std::vector<Integrand> radiance = scene_integrands();
     for (const std::size_t n : {std::size_t{20}, std::size_t{40}, std::size_t{80}}) {
-        const double coverage = judge(rough, 0.01, radiance, n, 200).coverage;
+        const double coverage = judge(rough, 0.01, {radiance}, n, 200)[0].coverage;
         CHECK(coverage >= 0.85);
         CHECK(coverage <= 0.999);
     }

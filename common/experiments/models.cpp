@@ -49,6 +49,18 @@ std::string range_of_errors(const std::vector<ModelRow>& rows, CovarianceFamily 
     return line("%s with noise %g %.3g to %.3g", name_of(family, covariance_names), noise, low, high);
 }
 
+// Adds what the process says of the integrand to the sums of a row.
+void add(ModelRow& row, const GaussianProcess& process, const Matrix& inverse, const Integrand& integrand) {
+    const std::vector<double> values = sample(integrand, process.directions());
+    const double n = static_cast<double>(values.size());
+    const double error = process.integral(values) - integrand.truth, predicted = process.standard_error(values);
+    row.rmse += error * error;
+    row.predicted += predicted * predicted;
+    row.coverage += std::fabs(error) <= 2 * predicted;
+    row.log_evidence += process.log_evidence(values) / n;
+    for (const double residual : process.leave_one_out(values, inverse)) row.leave_one_out += residual * residual / n;
+}
+
 }  // namespace
 
 std::vector<Model> compared_models() {
@@ -58,31 +70,28 @@ std::vector<Model> compared_models() {
     return models;
 }
 
-ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
-               std::size_t sets) {
-    ModelRow row{model, noise, 0, 0, 0, 0, 0, 0};
+std::vector<ModelRow> judge(const Model& model, double noise, const std::vector<std::vector<Integrand>>& groups,
+                            std::size_t n, std::size_t sets) {
+    std::vector<ModelRow> rows(groups.size(), ModelRow{model, noise, 0, 0, 0, 0, 0, 0});
     for (std::size_t set = 0; set < sets; ++set) {
         const GaussianProcess process(*model.covariance, noise, estimate_directions(Placement::uniform, n, 1, set));
-        for (const double weight : process.weights()) row.amplification += std::fabs(weight) / (2 * pi);
-        for (const Integrand& integrand : integrands) {
-            const std::vector<double> values = sample(integrand, process.directions());
-            const double error = process.integral(values) - integrand.truth, predicted = process.standard_error(values);
-            row.rmse += error * error;
-            row.predicted += predicted * predicted;
-            row.coverage += std::fabs(error) <= 2 * predicted;
-            row.log_evidence += process.log_evidence(values) / static_cast<double>(n);
-            for (const double residual : process.leave_one_out(values))
-                row.leave_one_out += residual * residual / static_cast<double>(n);
+        const Matrix inverse = process.inverse_covariance();
+        for (std::size_t group = 0; group < groups.size(); ++group) {
+            for (const double weight : process.weights()) rows[group].amplification += std::fabs(weight) / (2 * pi);
+            for (const Integrand& integrand : groups[group]) add(rows[group], process, inverse, integrand);
         }
     }
-    const double estimates = static_cast<double>(sets * integrands.size());
-    row.rmse = std::sqrt(row.rmse / estimates);
-    row.predicted = std::sqrt(row.predicted / estimates);
-    row.coverage /= estimates;
-    row.log_evidence /= estimates;
-    row.leave_one_out = std::sqrt(row.leave_one_out / estimates);
-    row.amplification /= static_cast<double>(sets);
-    return row;
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+        ModelRow& row = rows[group];
+        const double estimates = static_cast<double>(sets * groups[group].size());
+        row.rmse = std::sqrt(row.rmse / estimates);
+        row.predicted = std::sqrt(row.predicted / estimates);
+        row.coverage /= estimates;
+        row.log_evidence /= estimates;
+        row.leave_one_out = std::sqrt(row.leave_one_out / estimates);
+        row.amplification /= static_cast<double>(sets);
+    }
+    return rows;
 }
 
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets) {
@@ -118,14 +127,14 @@ Bias bias_of(const std::vector<Integrand>& integrands, std::size_t n, std::size_
 
 std::string Models::report() const {
     constexpr std::size_t n = 40, sets = 200;
-    const auto table = [&](const std::vector<Integrand>& integrands) {
-        std::vector<ModelRow> rows;
-        for (const Model& model : compared_models())
-            for (const double noise : {1e-3, 1e-2, 1e-1}) rows.push_back(judge(model, noise, integrands, n, sets));
-        return rows;
-    };
     const std::vector<Integrand> smooth{practice_integrands()[1]}, radiance = scene_integrands();
-    const std::vector<ModelRow> smooth_rows = table(smooth), radiance_rows = table(radiance);
+    std::vector<ModelRow> smooth_rows, radiance_rows;
+    for (const Model& model : compared_models())
+        for (const double noise : {1e-3, 1e-2, 1e-1}) {
+            const std::vector<ModelRow> rows = judge(model, noise, {smooth, radiance}, n, sets);
+            smooth_rows.push_back(rows[0]);
+            radiance_rows.push_back(rows[1]);
+        }
     const double mc_rmse = monte_carlo_rmse(radiance, n, sets);
     std::string text =
         "# What cos(theta) requires: 200 random sets of 40 directions.\n" + model_table(smooth_rows) +
@@ -137,7 +146,7 @@ std::string Models::report() const {
     constexpr std::size_t counts[] = {20, 40, 80, 160};
     for (const double s : {1.25, 1.5, 1.8})
         for (const std::size_t count : counts) {
-            const ModelRow row = judge({CovarianceFamily::sobolev, s}, 1e-2, radiance, count, sets);
+            const ModelRow row = judge({CovarianceFamily::sobolev, s}, 1e-2, {radiance}, count, sets)[0];
             text += line("%12g %7zu %10.5g %10.5g %8.4f\n", s, count, row.rmse, row.predicted, row.coverage);
         }
     text +=

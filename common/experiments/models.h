@@ -36,9 +36,9 @@ struct ModelRow {
     double amplification;  // mean of the sum of |w| over 2 pi: what errors in the samples grow by
 };
 
-// The model on so many fresh uniform sets of n directions, over all the integrands.
-ModelRow judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
-               std::size_t sets);
+// The model on so many fresh uniform sets of n directions: a row for each group of integrands, over all of them.
+std::vector<ModelRow> judge(const Model& model, double noise, const std::vector<std::vector<Integrand>>& groups,
+                            std::size_t n, std::size_t sets);
 
 // Root mean square error of Monte Carlo on the same sets.
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);

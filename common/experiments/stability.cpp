@@ -3,6 +3,7 @@
 #include "quadrature/gaussian_process.h"
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 
@@ -10,16 +11,27 @@ using portable::pi;
 
 namespace {
 
-// c += factor * a^T b
-void add_transposed_product(double factor, const Matrix& a, const Matrix& b, Matrix& c) {
-    for (std::size_t i = 0; i < c.rows(); ++i)
-        for (std::size_t k = 0; k < a.rows(); ++k) {
-            const double multiple = factor * a(k, i);
-            if (multiple == 0) continue;  // a triangle's other half
-            const double* from = b.row(k);
-            double* to = c.row(i);
-            for (std::size_t j = 0; j < c.columns(); ++j) to[j] += multiple * from[j];
+// c += factor * a^T b, n x n each, in strips of columns; two rows of sums at a time, which stay in registers.
+// Of a triangular a only the upper triangle is read.
+void add_transposed_product(double factor, const Matrix& a, bool triangular, const Matrix& b, Matrix& c) {
+    constexpr std::size_t width = 24;
+    const std::size_t n = c.rows();
+    std::vector<std::array<double, width>> strip(n);
+    for (std::size_t column = 0; column < n; column += width) {
+        const std::size_t columns = std::min(width, n - column);
+        for (std::size_t k = 0; k < n; ++k) std::copy_n(b.row(k) + column, columns, strip[k].begin());
+        for (std::size_t row = 0; row < n; row += 2) {
+            const std::size_t next = std::min(row + 1, n - 1);
+            std::array<double, width> sum{}, next_sum{};
+            for (std::size_t k = 0; k < (triangular ? next + 1 : n); ++k) {
+                const double multiple = a(k, row), next_multiple = a(k, next);
+                for (std::size_t j = 0; j < width; ++j) sum[j] += multiple * strip[k][j];
+                for (std::size_t j = 0; j < width; ++j) next_sum[j] += next_multiple * strip[k][j];
+            }
+            for (std::size_t j = 0; j < columns; ++j) c(row, column + j) += factor * sum[j];
+            for (std::size_t j = 0; next > row && j < columns; ++j) c(next, column + j) += factor * next_sum[j];
         }
+    }
 }
 
 // a + b without error (Knuth, "The Art of Computer Programming", volume 2, section 4.2.2, theorem B).
@@ -143,8 +155,8 @@ Residuals residuals_of(const Matrix& a, const Cholesky& cholesky, const Matrix& 
     const double unit = static_cast<double>(n) * DBL_EPSILON;
     Matrix identity_residual(n, n), factor_residual = a;
     for (std::size_t i = 0; i < n; ++i) identity_residual(i, i) = -1;
-    add_transposed_product(-1, cholesky.upper(), cholesky.upper(), factor_residual);
-    add_transposed_product(1, a, inverse, identity_residual);
+    add_transposed_product(-1, cholesky.upper(), true, cholesky.upper(), factor_residual);
+    add_transposed_product(1, a, false, inverse, identity_residual);
     return {row_sum_norm(factor_residual) / (unit * a_norm),
             row_sum_norm(identity_residual) / (unit * a_norm * inverse_norm), a_norm * inverse_norm};
 }

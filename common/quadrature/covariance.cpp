@@ -138,11 +138,13 @@ double Sobolev::hemisphere_integral(double cos_theta, KnownPart known) const {
 // the trapezoidal rule in u suits every elevation.
 double Sobolev::rim_sum(double cos_theta) const {
     const auto [sigma, q] = Elevation(cos_theta);
-    double sum = 0;
+    double sum = 0, base = 0, power = 0;
     for (double y : nodes_) {
-        const double yy = y * y, t = q * y;
+        const double yy = y * y, t = q * y, next = (1 + sigma) * (q * q + yy) / (1 + yy);
         if (t > 0x1p55) break;  // what follows is less than rounding
-        sum += portable::pow((1 + sigma) * (q * q + yy) / (1 + yy), exponent_) * 2 * t / (1 + t * t);
+        if (next != base)
+            power = portable::pow(base = next, exponent_);  // the same for half of the nodes, at both ends
+        sum += power * 2 * t / (1 + t * t);
     }
     return rim_step * sum;
 }

@@ -145,9 +145,8 @@ double GaussianProcess::log_evidence(const std::vector<double>& values) const {
     return -freedom() * portable::log(amplitude(values)) - 0.5 * (cholesky_.log_determinant() + information);
 }
 
-std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values) const {
+std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values, const Matrix& inverse) const {
     freedom();  // throws where nothing is left to predict from
-    const Matrix inverse = inverse_covariance();
     std::vector<double> residuals = cholesky_.solve(deviations(values));
     for (std::size_t i = 0; i < residuals.size(); ++i) {
         const double h = mean_.empty() ? 0 : solved_mean_[i];

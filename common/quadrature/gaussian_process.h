@@ -73,7 +73,8 @@ public:
 
     // What each value differs by from its prediction by all the others: (Q^-1 Y)_i / (Q^-1)_ii (ibid., eq. 5.12),
     // Q^-1 less Q^-1 h h^T Q^-1 / (h^T Q^-1 h) in its place for an unknown mean.
-    std::vector<double> leave_one_out(const std::vector<double>& values) const;
+    // inverse: inverse_covariance(), made once for any number of values.
+    std::vector<double> leave_one_out(const std::vector<double>& values, const Matrix& inverse) const;
 
 private:
     void require_one_value_per_direction(const std::vector<double>& values) const;
