@@ -33,8 +33,9 @@ double lattice(int i, int j) {
     return (h ^ (h >> 15)) * 0x1p-32;
 }
 
-// Smooth noise in [0, 1) with features of size 1. The arguments stay below 1e6.
-double noise(double x, double y) {
+// Smooth noise in [0, 1) with features of size 1. The arguments stay below 1e6. It is inline, as others below are,
+// since a loop with a call in it is not vectorised.
+inline double noise(double x, double y) {
     const double floor_x = std::floor(x), floor_y = std::floor(y);
     const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
     const double s = edge(x - floor_x - 0.5, 1), t = edge(y - floor_y - 0.5, 1);
@@ -42,7 +43,7 @@ double noise(double x, double y) {
            t * ((1 - s) * lattice(i, j + 1) + s * lattice(i + 1, j + 1));
 }
 
-Color sky(Vec3 d) {
+inline Color sky(Vec3 d) {
     const double to_sun = clamp01(0.5 + 0.5 * dot(d, sun)), glow = to_sun * to_sun * to_sun * to_sun;
     const double halo = 0.004 / (0.004 + (1 - to_sun));
     const Color air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
@@ -66,7 +67,7 @@ double skyline(Vec3 d, double scale, double height) {
     return height * (0.15 + 0.25 * n + 0.6 * edge(n - 0.62, 0.12)) - d.y;
 }
 
-Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
+inline Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
 
 // A fin of sandstone in the plane z = -1 around the hole |x / 0.48|^3 + |(y + 0.12) / 0.585|^3 < 1. Its surface bends
 // towards the nearer border.
@@ -86,29 +87,64 @@ Color arch(Color behind, Vec3 d) {
     return mix(behind, lit, edge(hole) * edge(roof) * edge(v + 0.07));
 }
 
-Color desert(Vec3 d) {
-    if (d.y > 0.5) return sky(d);
-    if (d.y < -0.1) return ground(d);
-    Color color = mix(ground(d), sky(d), edge(d.y));
-    color = mix(color, mix(strata(3 * d.y), horizon, 0.62), edge(skyline(d, 3, 0.13)) * edge(d.y));
-    color = mix(color, mix(strata(2 * d.y), horizon, 0.35), edge(skyline(d, 5, 0.08)) * edge(d.y + 0.01));
-    return arch(color, d);
+// Mountains up to a skyline, of rock that haze pales.
+inline Color mountains(Color behind, Vec3 d, double scale, double height, double foot, double strata_scale,
+                       double haze) {
+    const Color paled = mix(strata(strata_scale * d.y), horizon, haze);
+    return mix(behind, paled, edge(skyline(d, scale, height)) * edge(d.y + foot));
+}
+
+constexpr int width = 1024, height = 512;
+
+// A row of texels and the directions in which they are seen: an array per component, so that the compiler can paint
+// neighbours side by side.
+struct Row {
+    double x[width], y[width], z[width];
+    double red[width], green[width], blue[width];
+
+    // Lays a layer over what is behind it.
+    template <class Layer>
+    void paint(Layer layer) {
+        for (int i = 0; i < width; ++i) {
+            const Color c = layer(Color{red[i], green[i], blue[i]}, Vec3{x[i], y[i], z[i]});
+            red[i] = c.x;
+            green[i] = c.y;
+            blue[i] = c.z;
+        }
+    }
+};
+
+// All layers, but for those that cannot be seen at this elevation.
+void paint(Row& row, double y) {
+    const double above = edge(y);
+    if (above < 1) row.paint([](Color, Vec3 d) { return ground(d); });
+    if (above == 1) row.paint([](Color, Vec3 d) { return sky(d); });
+    if (y > 0.5 || y < -0.1) return;
+    if (above > 0 && above < 1) row.paint([](Color behind, Vec3 d) { return mix(behind, sky(d), edge(d.y)); });
+    if (y < 0.14) row.paint([](Color behind, Vec3 d) { return mountains(behind, d, 3, 0.13, 0, 3, 0.62); });
+    if (y < 0.09) row.paint([](Color behind, Vec3 d) { return mountains(behind, d, 5, 0.08, 0.01, 2, 0.35); });
+    row.paint(arch);
 }
 
 }  // namespace
 
 EnvironmentMap built_in_environment() {
-    constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
-    std::vector<float> rgb;
-    rgb.reserve(3 * width * height);
-    for (int row = 0; row < height; ++row) {
-        const portable::SineCosine polar = portable::sincos_turns(0.5 * (row + 0.5) / (height - 1));
-        for (const portable::SineCosine& azimuth : azimuths) {
-            const Color c = desert({polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine});
-            for (const double value : {c.x, c.y, c.z}) rgb.push_back(static_cast<float>(clamp01(value)));
+    std::vector<float> rgb(3 * width * height);
+    float* value = rgb.data();
+    Row row{};
+    for (int j = 0; j < height; ++j) {
+        const portable::SineCosine polar = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
+        for (std::size_t i = 0; i < width; ++i) {
+            row.x[i] = polar.sine * azimuths[i].sine;
+            row.y[i] = polar.cosine;
+            row.z[i] = -polar.sine * azimuths[i].cosine;
         }
+        paint(row, polar.cosine);
+        for (int i = 0; i < width; ++i)
+            for (const double component : {row.red[i], row.green[i], row.blue[i]})
+                *value++ = static_cast<float>(clamp01(component));
     }
     return EnvironmentMap(width, height, std::move(rgb));
 }
