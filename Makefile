@@ -28,7 +28,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp common/*/*.cpp))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
 
-.PHONY: always all test portability fuzz bench figures seconds format-check references clean
+.PHONY: always all doctest test portability fuzz bench figures seconds format-check references clean
 all: $(BIN)/workbench $(BIN)/renderer
 
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
@@ -39,6 +39,10 @@ $(BUILD)/unit_tests: $(TESTS) $(COMMON)
 
 $(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_tolerant.o $(BUILD)/common/scene/scene.o
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
+
+$(TESTS): | doctest
+doctest:
+	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/needs doctest test
 
 $(BUILD)/%.o: %.cpp $(BUILD)/settings
 	@mkdir -p $(@D)
@@ -60,6 +64,7 @@ FUZZ_SECONDS ?= 60
 FUZZ = $(BUILD)/fuzz
 FUZZERS = fuzz_environment fuzz_command_line
 fuzz:
+	@tests/needs libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
 	    BUILD=$(FUZZ) $(FUZZERS:%=$(FUZZ)/%)
 	FUZZ=$(FUZZ) FUZZ_SECONDS=$(FUZZ_SECONDS) tests/fuzz
@@ -74,6 +79,7 @@ $(BUILD)/bench: $(BUILD)/tests/bench.o $(COMMON)
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ $(LAPACK) -o $@
 
 format-check:
+	@tests/needs clang-format format-check
 	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*.cpp tests/*.h
 
 figures seconds: all
