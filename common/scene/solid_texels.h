@@ -1,0 +1,61 @@
+// The texels of an environment map as pieces of the sphere: what averages over directions are made of.
+#pragma once
+
+#include "numerics/portable_math.h"
+#include "scene/environment.h"
+
+#include <algorithm>
+#include <vector>
+
+// The texels that have a solid angle, which the last row and the last column of a map have not (a single one has).
+// Where there are too few of them, each is cut into equal pieces.
+class SolidTexels {
+public:
+    SolidTexels(const EnvironmentMap& map, int min_columns, int min_rows)
+        : map_(map),
+          across_(1 + (min_columns - 1) / std::max(1, map.width() - 1)),
+          down_(1 + (min_rows - 1) / std::max(1, map.height() - 1)),
+          columns_(across_ * std::max(1, map.width() - 1)),
+          rows_(down_ * std::max(1, map.height() - 1)) {}
+
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+
+    Color operator()(int row, int column) const {
+        const std::ptrdiff_t texel = static_cast<std::ptrdiff_t>(row / down_) * map_.width() + column / across_;
+        const float* rgb = map_.texels() + 3 * texel;
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+
+    // Of one texel of the row.
+    double solid_angle(int row) const {
+        return 2 * portable::pi / columns_ * (polar(row).cosine - polar(row + 1).cosine);
+    }
+
+    // Of the angle between +y and a height in rows, from 0 to rows(): row + 0.5 is the middle of a row.
+    portable::SineCosine polar(double height) const { return portable::sincos_turns(0.5 * height / rows_); }
+
+    // Of the middle of a column, from +z over -x.
+    portable::SineCosine azimuth(int column) const { return portable::sincos_turns((column + 0.5) / columns_ - 0.5); }
+
+private:
+    const EnvironmentMap& map_;
+    int across_, down_, columns_, rows_;
+};
+
+// The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).
+inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
+    return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
+}
+
+// A circle of latitude lies in the cap around a centre for the azimuths whose distance from the centre's has at least
+// this cosine: nowhere if it is 1 or more, everywhere if it is -1 or less.
+inline double cap_azimuth(double radius_cosine, portable::SineCosine centre, portable::SineCosine latitude) {
+    return (radius_cosine - centre.cosine * latitude.cosine) / (std::fabs(centre.sine) * latitude.sine);
+}
+
+// How many of the falling numbers are above x.
+inline std::size_t count_above(const std::vector<double>& falling, double x) {
+    const auto end = std::partition_point(falling.begin(), falling.end(), [x](double y) { return y > x; });
+    return static_cast<std::size_t>(end - falling.begin());
+}
