@@ -12,6 +12,7 @@
 #include "experiments/stopwatch.h"
 #include "quadrature/gaussian_process.h"
 #include "scene/desert.h"
+#include "scene/render.h"
 
 #ifdef COMPARE_LAPACK
 extern "C" {
