@@ -43,7 +43,7 @@ void set_samples(ErrorSettings& settings, const std::string& text) {
 // Of so many errors; 0 where it is only rounding.
 double mean(double sum, std::size_t estimates, const Integrand& integrand) {
     const double error = sum / static_cast<double>(estimates);
-    return error < 1e-12 * std::fabs(integrand.truth) ? 0 : error;
+    return std::fabs(error) < 1e-12 * std::fabs(integrand.truth) ? 0 : error;
 }
 
 // On the directions of the same estimates.

@@ -145,13 +145,17 @@ private:
 
     // BEGIN SOLUTION single
     // One process for the whole image, shared_rules_[0], its up axis aligned with the normal.
-    Color single(const Hit& hit) const { return shade(scene_, environment_, hit, shared_rules_[0], Frame(hit.normal)); }
+    Color single(const Hit& hit) const {
+        const Frame aligned(hit.normal);
+        return shade(scene_, environment_, hit, shared_rules_[0], aligned);
+    }
     // END SOLUTION
 
     // BEGIN SOLUTION rotated
     // The same, but turned about its up axis by the pixel's own random angle before it is aligned with the normal.
     Color rotated(const Hit& hit, double turns) const {
-        return shade(scene_, environment_, hit, shared_rules_[0], Frame(hit.normal).rotated(turns));
+        const Frame turned = Frame(hit.normal).rotated(turns);
+        return shade(scene_, environment_, hit, shared_rules_[0], turned);
     }
     // END SOLUTION
 
@@ -159,7 +163,8 @@ private:
     // A random one of several processes, shared_rules_, turned like the one; u is uniform in [0, 1).
     Color pool(const Hit& hit, double u, double turns) const {
         const auto choice = static_cast<std::size_t>(u * static_cast<double>(shared_rules_.size()));
-        return shade(scene_, environment_, hit, shared_rules_[choice], Frame(hit.normal).rotated(turns));
+        const Frame turned = Frame(hit.normal).rotated(turns);
+        return shade(scene_, environment_, hit, shared_rules_[choice], turned);
     }
     // END SOLUTION
 
