@@ -58,13 +58,16 @@ struct Cell {
 
 // Rows under one another, with as many columns each.
 struct Table {
-    std::vector<std::string> names;  // of the columns; empty: they have none
+    std::vector<std::string> header;  // the words of the line above
     std::size_t columns = 0, rows = 0;
     std::vector<Cell> cells;
 
+    bool names_columns() const { return header.size() == columns; }
     std::string column_name(std::size_t column) const {
-        return "column " + std::to_string(column) + (names.empty() ? "" : " (" + names[column - 1] + ")");
+        return "column " + std::to_string(column) + (names_columns() ? " (" + header[column - 1] + ")" : "");
     }
+    bool is_matrix() const { return rows == columns && rows > 1 && !names_columns(); }
+    std::string matrix_name() const { return header.empty() ? "the matrix" : header[0].substr(0, header[0].find(',')); }
     bool differs() const {
         return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) { return !cell.agrees; });
     }
@@ -84,8 +87,7 @@ std::vector<Table> parse_tables(const Lines& reference, const Lines& actual, dou
         }
         ++row;
         const std::vector<std::string> a = split_columns(reference[i]), b = split_columns(actual[i]);
-        if (!within || tables.back().columns != a.size())
-            tables.push_back({header.size() == a.size() ? header : std::vector<std::string>{}, a.size(), 0, {}});
+        if (!within || tables.back().columns != a.size()) tables.push_back({header, a.size(), 0, {}});
         within = true;
         ++tables.back().rows;
         for (std::size_t j = 0; j < std::min(a.size(), b.size()); ++j)
@@ -103,19 +105,15 @@ double common_ratio(const std::vector<Cell>& cells) {
         if (cell.reference == 0 || !std::isfinite(cell.actual)) return 0;
         const double here = cell.actual / cell.reference;
         if (ratio == 0) ratio = here;
-        if (!(std::fabs(here - ratio) <= 2e-3 * std::fabs(ratio))) return 0;
+        if (!(std::fabs(here - ratio) <= std::min(2e-3 * std::fabs(ratio), 0.1 * std::fabs(ratio - 1)))) return 0;
     }
     return ratio;
 }
 
-// What the differences in one column have in common.
-std::string describe_column(const Table& table, std::size_t column) {
-    std::vector<Cell> cells;
-    for (const Cell& cell : table.cells)
-        if (cell.column == column) cells.push_back(cell);
+// What the differences in one column have in common; nothing if they have nothing.
+std::string describe_column(const Table& table, std::size_t column, const std::vector<Cell>& cells) {
     const std::string name = table.column_name(column);
     const auto all = [&](auto property) { return std::all_of(cells.begin(), cells.end(), property); };
-    if (all([](const Cell& cell) { return cell.agrees; })) return "";
     if (all([](const Cell& cell) { return cell.actual == 0; })) return "all of " + name + " is 0";
     const double ratio = common_ratio(cells);
     if (cells.size() > 1 && ratio != 0) return "all of " + name + " is " + in_words(ratio, 4) + " times the reference";
@@ -123,34 +121,46 @@ std::string describe_column(const Table& table, std::size_t column) {
     if (negatives > 0 && all([](const Cell& cell) { return cell.reference >= 0; }))
         return std::to_string(negatives) + " of the " + std::to_string(cells.size()) + " numbers in " + name +
                " are negative, none of the reference's";
-    return name + " differs";
+    return "";
+}
+
+std::string describe_columns(const Table& table) {
+    std::string text, others;
+    for (std::size_t column = 1; column <= table.columns; ++column) {
+        std::vector<Cell> cells;
+        for (const Cell& cell : table.cells)
+            if (cell.column == column) cells.push_back(cell);
+        if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.agrees; })) continue;
+        const std::string clause = describe_column(table, column, cells);
+        add(text, clause);
+        if (clause.empty()) others += (others.empty() ? "" : ", ") + table.column_name(column);
+    }
+    if (!others.empty()) add(text, "differences in " + others);
+    return text;
 }
 
 // In a square table, such as a matrix, the place that holds all differences.
 std::string describe_matrix(const Table& table) {
-    bool diagonal = true, one_row = true;
-    std::size_t row = 0, differing = 0;
+    bool one_row = true;
+    std::size_t row = 0, differing = 0, on_diagonal = 0;
     for (const Cell& cell : table.cells) {
         if (cell.agrees) continue;
         const std::size_t here = cell.row - table.cells[0].row + 1;
         row = row == 0 ? here : row;
         one_row = one_row && here == row;
-        diagonal = diagonal && here == cell.column;
+        if (here == cell.column) ++on_diagonal;
         ++differing;
     }
+    const std::string name = table.matrix_name();
     const double ratio = common_ratio(table.cells);
-    if (ratio != 0) return "all of the matrix is " + in_words(ratio, 4) + " times the reference";
-    if (diagonal) return "only the diagonal differs";
-    if (one_row) return "only row " + std::to_string(row) + " of the matrix differs";
-    if (differing + table.rows >= table.cells.size()) return "all of the matrix differs";
-    return std::to_string(differing) + " of the matrix's " + std::to_string(table.cells.size()) + " numbers differ";
-}
-
-std::string describe_table(const Table& table) {
-    if (table.rows == table.columns && table.rows > 1) return describe_matrix(table);
-    std::string text;
-    for (std::size_t column = 1; column <= table.columns; ++column) add(text, describe_column(table, column));
-    return text;
+    if (ratio != 0) return "all of " + name + " is " + in_words(ratio, 4) + " times the reference";
+    if (on_diagonal == differing) return "only the diagonal of " + name + " differs";
+    if (on_diagonal == 0 && differing + table.rows == table.cells.size())
+        return "all of " + name + " but the diagonal differs";
+    if (one_row) return "only row " + std::to_string(row) + " of " + name + " differs";
+    if (differing == table.cells.size()) return "all of " + name + " differs";
+    return std::to_string(differing) + " of the " + std::to_string(table.cells.size()) + " numbers of " + name +
+           " differ";
 }
 
 // Where the first difference is: line `at` of both outputs.
@@ -219,6 +229,7 @@ std::string describe_likeness(const Picture& reference, const Picture& actual,
 
 // If it is one part of the sphere scene that differs: which.
 std::string describe_part(const std::vector<Pixel>& pixels, const Picture& picture) {
+    if (pixels.size() == picture.width * picture.height) return "";
     const Scene scene = sphere_scene();
     const Camera camera{static_cast<int>(picture.width), static_cast<int>(picture.height)};
     std::map<std::string, std::size_t> parts;
@@ -264,8 +275,20 @@ Roughness roughness(const Picture& reference, const Picture& actual, const std::
 
 bool within(double ratio, double factor) { return ratio * factor > 1 && ratio < factor; }
 
-std::string percent(double ratio) {
-    return in_words(100 * std::fabs(ratio - 1), std::fabs(ratio - 1) < 0.1 ? 2 : 3) + " %";
+// The one factor, neither 0 nor 1, between the lights of all channels that are neither too dark nor too bright for
+// their bytes to tell it; 0 if there is none.
+double common_factor(const Picture& reference, const Picture& actual, const std::vector<Pixel>& pixels) {
+    const auto tells = [](double light) { return light > 0.02 && light < 0.99; };
+    std::vector<double> factors;
+    for (const Pixel& pixel : pixels)
+        for (std::size_t i = reference.index(pixel.x, pixel.y), end = i + 3; i < end; ++i)
+            if (tells(light(reference, i)) && tells(light(actual, i)))
+                factors.push_back(light(actual, i) / light(reference, i));
+    if (factors.size() < pixels.size() / 4) return 0;
+    std::sort(factors.begin(), factors.end());
+    const double middle = factors[factors.size() / 2], low = factors[factors.size() / 50];
+    const double high = factors[factors.size() - 1 - factors.size() / 50];
+    return low > 0.95 * middle && high < 1.05 * middle && !within(middle, 1.02) ? middle : 0;
 }
 
 // Brightness and noise, where the pictures differ.
@@ -278,25 +301,21 @@ std::string describe_light(const Picture& reference, const Picture& actual, cons
     const double brightness = found / expected;
     if (!std::isfinite(brightness)) return "it holds numbers that are not finite";
     if (found == 0) return "where it differs, it is black";
+    const double factor = common_factor(reference, actual, pixels);
+    if (factor != 0) return "the light of every pixel is " + in_words(factor, 3) + " times the reference's";
     const Roughness near = roughness(reference, actual, pixels, 1), far = roughness(reference, actual, pixels, 8);
-    const double scale = brightness * brightness;
-    const bool same_noise =
-        within(near.actual / near.reference / scale, 1.5) && within(far.actual / far.reference / scale, 1.5);
+    const bool same_noise = within(near.actual / near.reference, 1.5) && within(far.actual / far.reference, 1.5);
     // Independent noises add up in the difference; those of the same random numbers cancel.
     if (std::fabs(brightness - 1) < 0.03 && same_noise && near.difference > 0.5 * (near.reference + near.actual))
         return "the noise is another seed's: brightness, error and correlation agree, the pixels do not; the random "
                "numbers are other ones or drawn in another order";
-    std::string text;
-    if (std::fabs(brightness - 1) >= 0.005)
-        add(text, "the picture is " + percent(brightness) + (brightness < 1 ? " darker" : " brighter"));
-    else
-        add(text, "the picture is as bright");
-    const double noise = std::sqrt(near.actual / near.reference / scale);
-    if (noise > 1.1)
-        add(text, "neighbouring pixels differ " + in_words(noise, 2) + " times as much: its noise is stronger");
-    if (noise < 0.9)
-        add(text,
-            "neighbouring pixels differ " + in_words(noise, 2) + " times as much: its noise is weaker or smoother");
+    const double percent = 100 * std::fabs(brightness - 1);
+    std::string text =
+        "the picture is " + in_words(percent, percent < 10 ? 2 : 3) + (brightness < 1 ? " % darker" : " % brighter");
+    if (percent > 3) return text;
+    const double noise = std::sqrt(near.actual / near.reference);
+    if (noise > 1.1) add(text, "neighbouring pixels differ " + in_words(noise, 2) + " times as much: noisier");
+    if (noise < 0.9) add(text, "neighbouring pixels differ " + in_words(noise, 2) + " times as much: smoother");
     return text;
 }
 
@@ -321,7 +340,7 @@ std::string tolerant_text_difference(const std::string& reference, const std::st
     }
     for (const Table& table : parse_tables(expected, found, tolerance))
         if (table.differs()) {
-            add(text, describe_table(table));
+            add(text, table.is_matrix() ? describe_matrix(table) : describe_columns(table));
             break;
         }
     return text;
