@@ -1,4 +1,8 @@
 # make              the two programs
+# make clean        removes what make made
+# BEGIN LECTURER
+# make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
+# make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
 # make test         every test, and the programs' output against tests/references
 # make portability  the output of every compiler and processor that this machine has tools for
 # make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
@@ -7,7 +11,7 @@
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
 # make references   rewrites tests/references: only when the output is meant to change
-# make clean        removes what make made
+# END LECTURER
 
 # On all processors, unless a number of jobs is given.
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
@@ -26,15 +30,15 @@ LANGUAGE = -std=c++17 -ffp-contract=off -fno-math-errno -fno-trapping-math -pthr
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp common/*/*.cpp))
+# BEGIN LECTURER
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
+.PHONY: doctest handout grade test portability fuzz bench figures seconds format-check references
+# END LECTURER
 
-.PHONY: always all doctest test portability fuzz bench figures seconds format-check references clean
+.PHONY: always all clean
 all: $(BIN)/workbench $(BIN)/renderer
 
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
-	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
-
-$(BUILD)/unit_tests: $(TESTS) $(COMMON)
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
 
 $(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_tolerant.o $(BUILD)/common/scene/scene.o
@@ -53,6 +57,17 @@ COMPILE = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(WARNINGS) -Icommon $(CPPFLAGS)
 $(BUILD)/settings: always
 	@mkdir -p $(@D)
 	@echo '$(COMPILE) $(LDFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(LDFLAGS)' > $@
+
+# BEGIN LECTURER
+handout: all
+	BUILD=$(BUILD) BIN=$(BIN) tests/handout
+
+SUBMISSION ?= .
+grade:
+	BUILD=$(BUILD) CXX=$(CXX) tests/grade "$(SUBMISSION)"
+
+$(BUILD)/unit_tests: $(TESTS) $(COMMON)
+	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/run
@@ -87,6 +102,7 @@ figures seconds: all
 
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/run --rewrite
+# END LECTURER
 
 clean:
 	rm -rf $(BUILD) $(BIN)/workbench $(BIN)/renderer
