@@ -14,19 +14,19 @@ namespace {
 // c += factor * a^T b, n x n each, in strips of columns; two rows of sums at a time, which stay in registers.
 // Of a triangular a only the upper triangle is read.
 void add_transposed_product(double factor, const Matrix& a, bool triangular, const Matrix& b, Matrix& c) {
-    constexpr std::size_t width = 24;
+    constexpr std::size_t strip_width = 24;
     const std::size_t n = c.rows();
-    std::vector<std::array<double, width>> strip(n);
-    for (std::size_t column = 0; column < n; column += width) {
-        const std::size_t columns = std::min(width, n - column);
+    std::vector<std::array<double, strip_width>> strip(n);
+    for (std::size_t column = 0; column < n; column += strip_width) {
+        const std::size_t columns = std::min(strip_width, n - column);
         for (std::size_t k = 0; k < n; ++k) std::copy_n(b.row(k) + column, columns, strip[k].begin());
         for (std::size_t row = 0; row < n; row += 2) {
             const std::size_t next = std::min(row + 1, n - 1);
-            std::array<double, width> sum{}, next_sum{};
+            std::array<double, strip_width> sum{}, next_sum{};
             for (std::size_t k = 0; k < (triangular ? next + 1 : n); ++k) {
                 const double multiple = a(k, row), next_multiple = a(k, next);
-                for (std::size_t j = 0; j < width; ++j) sum[j] += multiple * strip[k][j];
-                for (std::size_t j = 0; j < width; ++j) next_sum[j] += next_multiple * strip[k][j];
+                for (std::size_t j = 0; j < strip_width; ++j) sum[j] += multiple * strip[k][j];
+                for (std::size_t j = 0; j < strip_width; ++j) next_sum[j] += next_multiple * strip[k][j];
             }
             for (std::size_t j = 0; j < columns; ++j) c(row, column + j) += factor * sum[j];
             for (std::size_t j = 0; next > row && j < columns; ++j) c(next, column + j) += factor * next_sum[j];
