@@ -5,7 +5,9 @@
 #include "scene/desert.h"
 #include "scene/render.h"
 
+#include <optional>
 #include <thread>
+#include <tuple>
 
 namespace {
 
@@ -14,11 +16,17 @@ struct Request {
     ModelOptions model;
     std::unique_ptr<Covariance> covariance;
     std::string environment;  // empty: the built-in one
-    bool linear = false;      // PFM instead of PPM
+    bool light_known = false;
+    bool linear = false;  // PFM instead of PPM
     bool help = false;
 };
 
 constexpr std::pair<const char*, bool> format_names[] = {{"ppm", false}, {"pfm", true}};
+
+// What is known of the integrand, and whether the light is known besides.
+constexpr std::pair<const char*, std::pair<KnownPart, bool>> known_names[] = {{"nothing", {KnownPart::nothing, false}},
+                                                                              {"cosine", {KnownPart::cosine, false}},
+                                                                              {"light", {KnownPart::cosine, true}}};
 constexpr long max_side = 8192;
 constexpr long max_mc_samples = 1000000;
 
@@ -46,15 +54,27 @@ std::vector<Option> method_options(RenderSettings& settings) {
              [&] { return settings.method == Method::pool ? "" : "it belongs to --method pool"; }}};
 }
 
-// Monte Carlo takes from the model where directions are and the seed; it makes no Gaussian process.
+// To the model's nothing and cosine the renderer adds the light.
+void add_known_light(Option& known, Request& request) {
+    known.description = "part of the integrand: " + choices(known_names, {KnownPart::nothing, false}) +
+                        "; the last two for sobolev with smoothness 1.5";
+    known.set = [&request](const std::string& text) {
+        std::tie(request.model.prior.known, request.light_known) = parse_choice(text, known_names);
+    };
+}
+
+// Monte Carlo takes from the model where directions are, the seed, and that the light is known.
 std::vector<Option> model_options(Request& request) {
     std::vector<Option> options = request.model.options();
-    for (Option& option : options)
-        if (option.name != "placement" && option.name != "seed")
-            option.idle = [&request, idle = option.idle] {
-                if (request.settings.method == Method::mc) return std::string("--method mc makes no Gaussian process");
-                return idle ? idle() : std::string();
-            };
+    for (Option& option : options) {
+        if (option.name == "known") add_known_light(option, request);
+        if (option.name == "placement" || option.name == "seed") continue;
+        option.idle = [&request, idle = option.idle, known = option.name == "known"] {
+            if (request.settings.method == Method::mc && !(known && request.light_known))
+                return std::string("--method mc makes no Gaussian process");
+            return idle ? idle() : std::string();
+        };
+    }
     return options;
 }
 
@@ -62,7 +82,7 @@ std::vector<Option> picture_options(Request& request) {
     RenderSettings& settings = request.settings;
     return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
              [&](const std::string& text) { set_size(settings, text); }},
-            {"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
+            {"environment", "FILE", environment_help,
              [&](const std::string& text) { request.environment = parse_name(text); }},
             {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
              [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
@@ -86,7 +106,7 @@ std::string help_text() {
            describe(method_options(request.settings)) + "\nGaussian process and its samples:\n" +
            describe(model_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
            "\nexamples: ./renderer --method mc > mc.ppm\n"
-           "          ./renderer --known cosine --placement cosine-fibonacci > best.ppm\n";
+           "          ./renderer --known light --placement cosine-fibonacci > best.ppm\n";
 }
 
 // Throws UsageError.
@@ -111,8 +131,12 @@ Request parse(int argc, char** argv) {
 std::string run(const Request& request) {
     if (request.help) return help_text();
     require_file_output("./renderer > out.ppm");
-    const Image image = render(sphere_scene(), load_environment(request.environment), *request.covariance,
-                               request.settings, terminal_progress("renderer"));
+    const EnvironmentMap environment = load_environment(request.environment);
+    RenderSettings settings = request.settings;
+    std::optional<PrefilteredEnvironment> light;
+    if (request.light_known) settings.light = &light.emplace(environment);
+    const Image image =
+        render(sphere_scene(), environment, *request.covariance, settings, terminal_progress("renderer"));
     return request.linear ? to_pfm(image) : to_ppm(image);
 }
 

@@ -157,7 +157,7 @@ std::unique_ptr<Covariance> ModelOptions::make_covariance() const {
     const bool is_sobolev = covariance == CovarianceFamily::sobolev;
     if (prior.known == KnownPart::cosine && !(is_sobolev && smoothness == 1.5))
         throw UsageError(
-            "--known cosine goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form");
+            "a known part goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form for it");
     return ::make_covariance(covariance, is_sobolev ? smoothness : length_scale);
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
@@ -59,4 +60,21 @@ TEST_CASE(
         different += largest > 1;
     }
     CHECK(different <= 40);  // of 40000
+}
+
+TEST_CASE("the bright desert is the desert, but for its sun a thousand times as bright") {
+    const std::vector<float> desert = values(built_in_environment()), bright = values(bright_desert());
+    int changed = 0, darker = 0;
+    for (std::size_t i = 0; i < desert.size(); i += 3) {
+        changed += bright[i] != desert[i];
+        darker += bright[i] < desert[i];
+    }
+    CHECK(darker == 0);
+    // A disc of radius acos(1 - 2 (1 - 0.9976)) = 5.6 degrees at an elevation of 29 degrees: pi 5.6^2 of texels that
+    // are 360 / 1023 by 180 / 511 degrees wide, over cos(29 degrees).
+    CHECK(changed > 860);
+    CHECK(changed < 960);
+    const Vec3 sun{0.8, 0.48, 0.36};
+    CHECK(std::fabs(bright_desert().radiance(sun).x / built_in_environment().radiance(sun).x - 1000) < 1e-3);
+    CHECK(load_environment("bright-desert").radiance(sun).x == bright_desert().radiance(sun).x);
 }

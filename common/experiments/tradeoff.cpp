@@ -94,10 +94,12 @@ double seconds_per_megapixel(const Scene& scene, const EnvironmentMap& environme
 }
 
 // Every way to render that is compared, but for the number of samples.
-std::vector<RenderSettings> compared_settings() {
+std::vector<RenderSettings> compared_settings(const PrefilteredEnvironment& light) {
     std::vector<RenderSettings> list;
-    const auto add = [&](Method method, std::size_t pool, Placement placement, Prior prior = {}) {
+    const auto add = [&](Method method, std::size_t pool, Placement placement, Prior prior = {},
+                         const PrefilteredEnvironment* known_light = nullptr) {
         RenderSettings settings;
+        settings.light = known_light;
         settings.method = method;
         settings.pool = pool;
         settings.placement = placement;
@@ -114,6 +116,10 @@ std::vector<RenderSettings> compared_settings() {
     for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform})
         for (const Placement placement : {Placement::uniform, Placement::cosine, Placement::cosine_fibonacci})
             add(Method::pool, 20, placement, {KnownPart::cosine, mean});
+    for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci}) {
+        add(Method::mc, 1, placement, {}, &light);
+        add(Method::pool, 20, placement, {KnownPart::cosine, PriorMean::zero}, &light);
+    }
     return list;
 }
 
@@ -154,7 +160,10 @@ PictureCost picture_cost(const Scene& scene, const EnvironmentMap& environment, 
     // The standard error of the mean square, over the derivative of the square.
     const double count = static_cast<double>(seeds), mean = squares / count, rmse = std::sqrt(mean);
     const double variance = std::max(0.0, fourth_powers / count - mean * mean) / (count - 1);
+    const char* known = settings.light ? "light" : name_of(settings.prior.known, known_part_names);
+    settings.light = nullptr;
     return {settings,
+            known,
             rmse,
             rmse > 0 ? std::sqrt(variance) / (2 * rmse) : 0,
             correlation / count,
@@ -182,7 +191,8 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int si
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
 
     std::vector<RenderSettings> rows;
-    for (const RenderSettings& compared : compared_settings())
+    const PrefilteredEnvironment light(environment);
+    for (const RenderSettings& compared : compared_settings(light))
         for (const std::size_t samples : {10u, 20u, 40u, 80u, 160u}) rows.push_back(sized(compared, samples));
     double all = 20000, done = 20000;
     for (const RenderSettings& row : rows) all += work_of(row);
@@ -237,7 +247,7 @@ std::string settings_of(const PictureCost& row) {
     return line("--method %s", name_of(s.method, method_names)) +
            (s.method == Method::pool ? line(" --pool %zu", s.pool) : "") +
            line(" --placement %s", name_of(s.placement, placement_names)) +
-           (s.prior.known == KnownPart::cosine ? " --known cosine" : "") +
+           (std::string(row.known) == "nothing" ? "" : line(" --known %s", row.known)) +
            (s.prior.mean == PriorMean::uniform ? " --mean uniform" : "") + line(" --samples %zu", s.samples);
 }
 
@@ -261,9 +271,9 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         const PictureCost& mc = classic(rows, row);
         const double gain = squared_ratio(mc.rmse, row.rmse);
         text += line("%-8s %5zu %-16s %-7s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
-                     name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names),
-                     name_of(s.prior.known, known_part_names), name_of(s.prior.mean, prior_mean_names), s.samples,
-                     row.rmse, row.rmse_error, row.correlation, row.brightness, static_cast<double>(s.samples) * gain);
+                     name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names), row.known,
+                     name_of(s.prior.mean, prior_mean_names), s.samples, row.rmse, row.rmse_error, row.correlation,
+                     row.brightness, static_cast<double>(s.samples) * gain);
         if (timed)
             text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
                          gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
@@ -287,7 +297,7 @@ std::string cheapest_settings(const std::vector<PictureCost>& rows, bool timed) 
         const PictureCost* best = nullptr;
         for (const PictureCost& row : rows)
             if (row.rmse <= target && std::fabs(row.correlation) <= most_correlation &&
-                (!best || cost(row) < cost(*best)))
+                (!best || std::pair(cost(row), row.rmse) < std::pair(cost(*best), best->rmse)))
                 best = &row;
         text += line("# RMSE %.2f: ", target) + (best ? settings_of(*best) : "none of these") + '\n';
     }
@@ -297,12 +307,12 @@ std::string cheapest_settings(const std::vector<PictureCost>& rows, bool timed) 
 }  // namespace
 
 std::vector<Option> Tradeoff::options() {
-    return {{"environment", "FILE", "light from a Radiance .hdr file instead of the built-in desert",
-             [this](const std::string& text) { environment = parse_name(text); }},
-            {"size", "W", "of the pictures, W x W pixels (default 64)",
-             [this](const std::string& text) { size = static_cast<int>(parse_integer(text, 2, 1024)); }},
-            {"no-times", "", "leave out what is measured and differs from run to run",
-             [this](const std::string&) { timed = false; }}};
+    return {
+        {"environment", "FILE", environment_help, [this](const std::string& text) { environment = parse_name(text); }},
+        {"size", "W", "of the pictures, W x W pixels (default 64)",
+         [this](const std::string& text) { size = static_cast<int>(parse_integer(text, 2, 1024)); }},
+        {"no-times", "", "leave out what is measured and differs from run to run",
+         [this](const std::string&) { timed = false; }}};
 }
 
 std::string Tradeoff::report() const {

@@ -35,7 +35,8 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, bool timed)
 // One method: errors over several seeds, as many as make them the method's and not the seed's. A method that shares
 // rules between pixels has as many independent rules as seeds, not as pixels.
 struct PictureCost {
-    RenderSettings settings;
+    RenderSettings settings;       // but for the averages of a known light, which live no longer
+    const char* known;             // what --known says: nothing, cosine or light
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
     double rmse_error;             // standard error of rmse
     double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds
@@ -44,9 +45,9 @@ struct PictureCost {
 };
 
 // mc, direct, single, rotated and pools of 1, 2, 5 and 20, on uniform and Fibonacci directions; then mc on
-// cosine-distributed directions and pools of 20 for every prior on the directions that suit it; each with 10, 20, 40,
-// 80 and 160 samples. Throws std::invalid_argument if the environment lights no object: there is nothing to compare.
-// progress is told the fraction that is done.
+// cosine-distributed directions and pools of 20 for every prior on the directions that suit it, and last with the light
+// known; each with 10, 20, 40, 80 and 160 samples. Throws std::invalid_argument if the environment lights no object:
+// there is nothing to compare. progress is told the fraction that is done.
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed,
                                        const Progress& progress = nullptr);
 

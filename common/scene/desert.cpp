@@ -43,12 +43,15 @@ inline double noise(double x, double y) {
            t * ((1 - s) * lattice(i, j + 1) + s * lattice(i + 1, j + 1));
 }
 
+// 1 in a disc of radius 5 degrees around the sun, 0 outside.
+inline double sun_disc(double to_sun) { return edge(to_sun - 0.9981, 0.001); }
+
 inline Color sky(Vec3 d) {
     const double to_sun = clamp01(0.5 + 0.5 * dot(d, sun)), glow = to_sun * to_sun * to_sun * to_sun;
     const double halo = 0.004 / (0.004 + (1 - to_sun));
     const Color air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
     const Color haze = mix(air, {1.0, 0.94, 0.84}, 0.8 * glow * std::sqrt(glow) + 0.2 * halo);
-    return mix(haze, {1.0, 0.98, 0.92}, edge(to_sun - 0.9981, 0.001));  // a disc of radius 5 degrees
+    return mix(haze, {1.0, 0.98, 0.92}, sun_disc(to_sun));
 }
 
 // Dunes on a plane one unit below the eye; haze swallows them with distance.
@@ -149,13 +152,30 @@ EnvironmentMap built_in_environment() {
     return EnvironmentMap(width, height, std::move(rgb));
 }
 
-EnvironmentMap load_environment(const std::string& file) {
-    if (file.empty()) return built_in_environment();
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw std::runtime_error(file + ": cannot open this environment: " + std::strerror(errno));
+EnvironmentMap bright_desert() {
+    const EnvironmentMap map = built_in_environment();
+    std::vector<float> rgb(map.texels(), map.texels() + 3 * width * height);
+    float* texel = rgb.data();
+    for (int row = 0; row < height; ++row) {
+        const portable::SineCosine polar = portable::sincos_turns(0.5 * (row + 0.5) / (height - 1));
+        for (int column = 0; column < width; ++column, texel += 3) {
+            const portable::SineCosine azimuth = portable::sincos_turns((column + 0.5) / (width - 1) - 0.5);
+            const Vec3 d{polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
+            const double factor = 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun));
+            for (int i = 0; i < 3; ++i) texel[i] = static_cast<float>(factor * static_cast<double>(texel[i]));
+        }
+    }
+    return EnvironmentMap(width, height, std::move(rgb));
+}
+
+EnvironmentMap load_environment(const std::string& name) {
+    if (name.empty()) return built_in_environment();
+    if (name == "bright-desert") return bright_desert();
+    std::ifstream in(name, std::ios::binary);
+    if (!in) throw std::runtime_error(name + ": cannot open this environment: " + std::strerror(errno));
     try {
         return read_radiance_hdr(in);
     } catch (const std::exception& error) {
-        throw std::runtime_error(file + ": " + error.what());
+        throw std::runtime_error(name + ": " + error.what());
     }
 }

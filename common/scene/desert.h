@@ -9,6 +9,14 @@
 // 1024 x 512 texels of linear RGB radiance in [0, 1]. Portable arithmetic gives the same bits everywhere.
 EnvironmentMap built_in_environment();
 
-// The environment of a .hdr file, or the built-in one if the name is empty. Throws std::runtime_error, one line that
-// names the file.
-EnvironmentMap load_environment(const std::string& file);
+// The same with a sun a thousand times brighter, as a real one is or more: hardly any direction meets it, and it sends
+// five sixths of the light.
+EnvironmentMap bright_desert();
+
+// The environment of a name: "bright-desert", a .hdr file, or the built-in one if the name is empty. Throws
+// std::runtime_error, one line that names the file.
+EnvironmentMap load_environment(const std::string& name);
+
+// What a help text says of the name.
+constexpr const char* environment_help =
+    "light from a Radiance .hdr file, or bright-desert: the built-in desert, its sun a thousand times brighter";

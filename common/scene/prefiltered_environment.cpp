@@ -107,9 +107,9 @@ public:
         }
     }
 
-    TexelGrid grid() const { return {columns_ + 1, rows_ + 1}; }
-
-    // As the grid reads them: the last row and column repeat their neighbours.
+    // A table as TexelGrid reads it: the last row and column, which only u = 1 and v = 1 meet, repeat their neighbours.
+    int table_columns() const { return columns_ + 1; }
+    int table_rows() const { return rows_ + 1; }
     std::vector<float> rgb(const Sum& everywhere) const {
         std::vector<float> rgb;
         for (int i = 0; i <= rows_; ++i)
@@ -163,7 +163,7 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map) : irra
     std::vector<CapAverages> levels;
     for (double solid_angle = pi; 2 * std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows(); solid_angle /= 4) {
         levels.emplace_back(solid_angle, texels);
-        tables_.push_back({solid_angle, levels.back().grid(), nullptr});
+        tables_.push_back({solid_angle, levels.back().table_columns(), levels.back().table_rows(), nullptr});
     }
     std::vector<double> half_steps;
     for (int i = 0; i <= texels.columns(); ++i)
@@ -179,7 +179,7 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map) : irra
         caps_.push_back(levels[i].rgb(1e-6 * mean));
         tables_[i].rgb = caps_.back().data();
     }
-    tables_.push_back({texels.solid_angle(texels.rows() / 2), map.grid(), map.texels()});
+    tables_.push_back({texels.solid_angle(texels.rows() / 2), map.width(), map.height(), map.texels()});
 }
 
 const LightTable& PrefilteredEnvironment::table(double solid_angle) const {

@@ -14,10 +14,10 @@
 
 #include <vector>
 
-// Light as a table of directions, linear RGB: texel i of the grid is at rgb[3 i].
+// Light as a table of directions, linear RGB: texel i of TexelGrid(columns, rows) is at rgb[3 i].
 struct LightTable {
     double solid_angle;  // of the caps that it averages over
-    TexelGrid grid;
+    int columns, rows;
     const float* rgb;
 };
 

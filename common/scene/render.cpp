@@ -21,14 +21,32 @@ double cosine_weight(const QuadratureRule& rule, std::size_t i) {
 struct CosineRule {
     std::vector<double> x, y, z, weight;
 
-    explicit CosineRule(const QuadratureRule& rule) {
+    // Where the light is known, the table of its averages that each direction looks its light up in.
+    const PrefilteredEnvironment* light;
+    std::vector<int> columns, rows;
+    std::vector<const float*> rgb;
+
+    CosineRule(const QuadratureRule& rule, const PrefilteredEnvironment* known_light) : light(known_light) {
         for (std::size_t i = 0; i < rule.weights.size(); ++i) {
             const Vec3 direction = rule.directions[i];
             x.push_back(direction.x);
             y.push_back(direction.y);
             z.push_back(direction.z);
             weight.push_back(cosine_weight(rule, i));
+            if (!light) continue;
+            const LightTable& table = light->table(solid_angle(rule, i));
+            columns.push_back(table.columns);
+            rows.push_back(table.rows);
+            rgb.push_back(table.rgb);
         }
+    }
+
+private:
+    // What direction i stands for: its weight without the cosine, but of an evenly shared hemisphere at least a quarter
+    // and at most four times its share, also where the weight is negative.
+    static double solid_angle(const QuadratureRule& rule, std::size_t i) {
+        const double share = 2 * portable::pi / static_cast<double>(rule.weights.size());
+        return std::clamp(cosine_weight(rule, i) / rule.directions[i].y, share / 4, share * 4);
     }
 };
 
@@ -53,31 +71,79 @@ void find_texels(const CosineRule& rule, std::size_t begin, std::size_t end, Fra
     }
 }
 
+// The same where every direction has a table of its own.
+void find_texels(const CosineRule& rule, std::size_t begin, std::size_t end, Frame frame, int* texel) {
+    const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data();
+    const int *columns = rule.columns.data(), *rows = rule.rows.data();
+    for (std::size_t i = begin; i < end; ++i) {
+        const Vec3 direction = frame.to_world({x[i], y[i], z[i]});
+        texel[i - begin] = TexelGrid(columns[i], rows[i]).texel_index(direction.x, direction.y, direction.z);
+    }
+}
+
 // Directions that go through the loops together: what is noted of them stays in the nearest cache, and memory does not
 // grow with their number.
 constexpr std::size_t batch = 512;
+
+// The weights of a batch, by the object that can be in the way.
+void find_weights(const Scene& scene, const Hit& hit, const CosineRule& rule, std::size_t begin, std::size_t end,
+                  const Frame& frame, double* weight) {
+    if (hit.object == Object::sphere)
+        find_weights(rule, begin, end, frame, RectangleShadow(scene.rectangle, hit.point), weight);
+    else
+        find_weights(rule, begin, end, frame, SphereShadow(scene.sphere, hit.point), weight);
+}
+
+Color reflect(const Hit& hit, Color irradiance) {
+    return 1 / portable::pi *
+           Color{hit.albedo.x * irradiance.x, hit.albedo.y * irradiance.y, hit.albedo.z * irradiance.z};
+}
+
+// A visible part of the light, in [0, 1] whatever the weights; 0 where no direction has light of this colour.
+double fraction(double visible, double all) { return all > 0 ? std::clamp(visible / all, 0.0, 1.0) : 0; }
+
+// The same where the light is known (prefiltered_environment.h): the irradiance without shadows times the part of the
+// light that passes the other object.
+Color shade_known_light(const Scene& scene, const Hit& hit, const CosineRule& rule, const Frame& frame) {
+    const Color irradiance = rule.light->irradiance(hit.normal);
+    const std::size_t n = rule.weight.size();
+    double weight[batch];
+    int texel[batch];
+    Color visible, all;
+    for (std::size_t begin = 0; begin < n; begin += batch) {
+        const std::size_t end = std::min(begin + batch, n);
+        find_weights(scene, hit, rule, begin, end, frame, weight);
+        if (n <= batch && std::equal(rule.weight.begin(), rule.weight.end(), weight)) return reflect(hit, irradiance);
+        find_texels(rule, begin, end, frame, texel);
+        for (std::size_t i = begin; i < end; ++i) {
+            const float* rgb = rule.rgb[i] + 3 * static_cast<std::ptrdiff_t>(texel[i - begin]);
+            const Color light{rgb[0], rgb[1], rgb[2]};
+            all = all + rule.weight[i] * light;
+            visible = visible + weight[i - begin] * light;
+        }
+    }
+    return reflect(hit, {irradiance.x * fraction(visible.x, all.x), irradiance.y * fraction(visible.y, all.y),
+                         irradiance.z * fraction(visible.z, all.z)});
+}
 
 // The light that a point reflects, by a rule that the frame carries to its surface: the sum of weights times the
 // environment's radiance in the directions that pass the other object, times albedo / pi.
 Color shade(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
             const Frame& frame) {
+    if (rule.light) return shade_known_light(scene, hit, rule, frame);
     double weight[batch];
     int texel[batch];
     Color irradiance;
     for (std::size_t begin = 0, n = rule.weight.size(); begin < n; begin += batch) {
         const std::size_t end = std::min(begin + batch, n);
-        if (hit.object == Object::sphere)
-            find_weights(rule, begin, end, frame, RectangleShadow(scene.rectangle, hit.point), weight);
-        else
-            find_weights(rule, begin, end, frame, SphereShadow(scene.sphere, hit.point), weight);
+        find_weights(scene, hit, rule, begin, end, frame, weight);
         find_texels(rule, begin, end, frame, environment.grid(), texel);
         for (std::size_t i = 0; i < end - begin; ++i) {
             const float* rgb = environment.texels() + 3 * static_cast<std::ptrdiff_t>(texel[i]);
             irradiance = irradiance + weight[i] * Color{rgb[0], rgb[1], rgb[2]};
         }
     }
-    return 1 / portable::pi *
-           Color{hit.albedo.x * irradiance.x, hit.albedo.y * irradiance.y, hit.albedo.z * irradiance.z};
+    return reflect(hit, irradiance);
 }
 // END SOLUTION
 
@@ -131,8 +197,11 @@ private:
     CosineRule fresh_rule(std::size_t samples, Random& random) const {
         std::vector<Vec3> directions = place_directions(settings_.placement, samples, random);
         if (settings_.method == Method::mc)
-            return CosineRule(monte_carlo_rule(std::move(directions), settings_.placement));
-        return CosineRule(bayesian_rule(covariance_, settings_.noise, std::move(directions), settings_.prior));
+            return {monte_carlo_rule(std::move(directions), settings_.placement), settings_.light};
+        Prior prior = settings_.prior;
+        if (settings_.light)
+            prior.known = KnownPart::cosine;  // the weights of the visibility, which the light multiplies
+        return {bayesian_rule(covariance_, settings_.noise, std::move(directions), prior), settings_.light};
     }
 
     // BEGIN SOLUTION direct

@@ -12,6 +12,7 @@
 #include "quadrature/quadrature.h"
 #include "scene/environment.h"
 #include "scene/image.h"
+#include "scene/prefiltered_environment.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -37,6 +38,9 @@ struct RenderSettings {
     std::size_t pool = 20;     // Gaussian processes in the pool
     double noise = 0.01;
     Prior prior;
+    // Not null if the environment's light is known, L cos(theta) the known part and the visibility all that is
+    // modelled, by the weights for the known part cos(theta). Averages of the environment that is rendered.
+    const PrefilteredEnvironment* light = nullptr;
     std::uint64_t seed = 1;
     int width = 500, height = 500;
     unsigned threads = 1;  // changes no bit of the image
