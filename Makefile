@@ -77,7 +77,7 @@ portability: all $(BUILD)/compare
 
 FUZZ_SECONDS ?= 60
 FUZZ = $(BUILD)/fuzz
-FUZZERS = fuzz_environment fuzz_command_line
+FUZZERS = fuzz_environment fuzz_picture fuzz_command_line
 fuzz:
 	@tests/needs libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \

@@ -12,11 +12,6 @@ std::string header(const char* magic, const Image& image, const char* scale) {
            scale + '\n';
 }
 
-// The inverse of the sRGB transfer function: the linear value in [0, 1] of an encoded one.
-double linear_value(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : portable::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 // The bytes of linear values. Byte k begins at threshold k, where the transfer function is (k - 1/2) / 255: its inverse
 // is computed 255 times instead of the function for every value. The function is nowhere steeper than 12.92, so
 // thresholds are at least 1 / 3295 apart, and in a step of 1 / 4096 there is one at most: the byte where the step
@@ -24,7 +19,7 @@ double linear_value(double encoded) {
 class SrgbEncoder {
 public:
     SrgbEncoder() {
-        for (std::size_t k = 1; k < 256; ++k) thresholds_[k] = linear_value((static_cast<double>(k) - 0.5) / 255);
+        for (std::size_t k = 1; k < 256; ++k) thresholds_[k] = srgb_decoded((static_cast<double>(k) - 0.5) / 255);
         thresholds_[256] = 2;  // for the byte 255: above all values
         std::size_t byte = 0;
         for (std::size_t step = 0; step <= steps; ++step) {
@@ -71,6 +66,8 @@ void Image::set(int x, int y, Color color) {
     rgb[1] = static_cast<float>(color.y);
     rgb[2] = static_cast<float>(color.z);
 }
+
+double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : portable::pow((code + 0.055) / 1.055, 2.4); }
 
 std::string to_ppm(const Image& image) {
     const SrgbEncoder encoder;

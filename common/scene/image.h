@@ -25,7 +25,10 @@ private:
     std::vector<float> rgb_;
 };
 
-// Binary PPM ("P6"), 8 bits per channel, sRGB transfer function (IEC 61966-2-1); values are clamped to [0, 1].
+// The linear value in [0, 1] of a code in [0, 1]: the inverse of the sRGB transfer function (IEC 61966-2-1).
+double srgb_decoded(double code);
+
+// Binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].
 std::string to_ppm(const Image& image);
 
 // PFM ("PF"), 32-bit linear floats, little-endian (the header's -1), bottom row first as the format asks.

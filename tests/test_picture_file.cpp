@@ -1,0 +1,125 @@
+#include "scene/picture_file.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+Picture read(const std::string& bytes) {
+    std::istringstream in(bytes);
+    return read_picture(in);
+}
+
+std::string reading_error(const std::string& bytes) {
+    try {
+        read(bytes);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// A text that may hold zeros.
+template <std::size_t size>
+std::string bytes(const char (&text)[size]) {
+    return std::string(text, size - 1);
+}
+
+Image example() {
+    Image image(3, 2);
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x) image.set(x, y, {0.1 * x, 0.3 * y + 0.01 * x, 1.0 - 0.2 * x});
+    return image;
+}
+
+bool equal(const Image& a, const Image& b) { return to_pfm(a) == to_pfm(b); }
+
+}  // namespace
+
+TEST_CASE("what to_ppm and to_pfm write is read: codes exactly, floats exactly") {
+    const Picture ppm = read(to_ppm(example())), pfm = read(to_pfm(example()));
+    CHECK(ppm.maxval == 255);
+    CHECK(to_ppm(ppm.image) == to_ppm(example()));
+    CHECK(equal(ppm.image, stored(example(), 255)));
+    CHECK(pfm.maxval == 0);
+    CHECK(equal(pfm.image, example()));
+    CHECK(equal(stored(example(), 0), example()));
+}
+
+TEST_CASE("sRGB is decoded as it is encoded: every code comes back, for any largest code") {
+    for (const int maxval : {1, 15, 255, 1000, 65535}) {
+        bool same = true;
+        for (int code = 0; code <= maxval; ++code) {
+            const double back = maxval * srgb_encoded(srgb_decoded(static_cast<double>(code) / maxval));
+            same = same && std::fabs(back - code) < 0.01;  // the two branches meet within 1e-7, 0.0066 of 65535 codes
+        }
+        CHECK_MESSAGE(same, maxval);
+    }
+    CHECK(srgb_decoded(0) == 0);
+    CHECK(srgb_decoded(1) == 1);
+}
+
+TEST_CASE("P6 and P3 may have comments, any largest code, and bytes after the end") {
+    const Picture six = read(bytes("P6#\n# 9 9\n 2 # width\n1\t255\n\377\200\0\0\1\2garbage"));
+    CHECK(six.image(0, 0).x == 1);
+    CHECK(std::fabs(six.image(0, 0).y - srgb_decoded(128 / 255.0)) < 1e-7);
+    CHECK(six.image(1, 0).x == 0);
+    const Picture wide = read(bytes("P6 1 1 1000\n\3\350\0\0\1\364"));
+    CHECK(wide.maxval == 1000);
+    CHECK(wide.image(0, 0).x == 1);
+    CHECK(std::fabs(wide.image(0, 0).z - srgb_decoded(0.5)) < 1e-7);
+    const Picture words = read("P3\r\n1 2\r\n10\r\n10 5 0 # red\r\n0#\n10 5\r\ngarbage");
+    CHECK(words.image(0, 0).x == 1);
+    CHECK(std::fabs(words.image(0, 0).y - srgb_decoded(0.5)) < 1e-7);
+    CHECK(words.image(0, 1).y == 1);
+}
+
+TEST_CASE("a PFM of either byte order is read, its bottom row first") {
+    const Picture little = read(bytes("PF\n1 2\n-1.0\n\0\0\200?\0\0\0\0\0\0\0\300\0\0\0?\0\0\0\0\0\0\0\0garbage"));
+    const Picture big = read(bytes("PF\n1 2\n2.5\n?\200\0\0\0\0\0\0\300\0\0\0?\0\0\0\0\0\0\0\0\0\0\0"));
+    CHECK(equal(little.image, big.image));
+    CHECK(big.image(0, 1).x == 1);
+    CHECK(big.image(0, 1).z == -2);
+    CHECK(big.image(0, 0).x == 0.5);
+}
+
+TEST_CASE("what is no picture is refused in one line that says what is wrong") {
+    for (const std::string text : {"", "P", "P5 1 1 255\n1", "Pf\n1 1\n1\n1234", "#?RADIANCE\n", "\x89PNG\r\n"}) {
+        CAPTURE(text);
+        CHECK(reading_error(text) ==
+              "not a picture that is known here: it should begin with P6 or P3 (PPM) or with PF (PFM in colour)");
+    }
+    CHECK(reading_error("P6") == "the file ends where the width should be");
+    CHECK(reading_error("P6 5 0 255\n") == "the height '0' is not a whole number from 1 to 8192");
+    CHECK(reading_error("P6 8193 1 255\n") == "the width '8193' is not a whole number from 1 to 8192");
+    CHECK(reading_error("P6 -1 1 255\n") == "the width '-1' is not a whole number from 1 to 8192");
+    CHECK(reading_error("P6 1 1 65536\n") == "the largest code '65536' is not a whole number from 1 to 65535");
+    CHECK(reading_error("P6 1\x1b[2J 1 255\n") == "the width is not a number: '1...'");
+    CHECK(reading_error("P6 99999999999999999999999 1 255\n") ==
+          "the width is not a number: '99999999999999999999...'");
+    CHECK(reading_error("PF 1 1 0\n123456789012") == "the scale '0' is not a number other than 0");
+    CHECK(reading_error("PF 1 1 1x\n123456789012") == "the scale '1x' is not a number other than 0");
+    CHECK(reading_error("P6 1 1 255") == "after the header there should be one space or line break");
+    CHECK(reading_error("P6 1 1 9\n\1\2\12") == "row 0: code 10 exceeds the largest, 9");
+    CHECK(reading_error("P3 1 1 9\n1 2 10") == "row 0: the code '10' is not a whole number from 0 to 9");
+    CHECK(reading_error("P3 1 2 9\n1 2 3\n4 x") == "row 1: the code 'x' is not a whole number from 0 to 9");
+    CHECK(reading_error(bytes("PF 1 2 1\n0\0\0\0000\0\0\0000\0\0\0\177\200\0\0")) ==
+          "row 0: a value is infinite or no number");
+}
+
+TEST_CASE("a picture that is cut anywhere is refused, and a header that claims much takes no memory") {
+    const std::string three = "P3 3 2 7\n1 2 3 4 5 6 7 6 5 4 3 2 1 0 1 2 3 4";
+    for (const std::string& whole : {to_ppm(example()), to_pfm(example()), three}) {
+        CHECK(reading_error(whole) == "");
+        bool refused = true;
+        for (std::size_t length = 0; length < whole.size(); ++length)
+            refused = refused && !reading_error(whole.substr(0, length)).empty();
+        CHECK(refused);
+    }
+    CHECK(reading_error("P6 8192 8192 255\nabc") == "row 0: the file ends inside the picture");
+    CHECK(reading_error("PF 8192 8192 1\nabc") == "row 8191: the file ends inside the picture");
+    CHECK(reading_error("P3 8192 8192 1\n1") == "row 0: the file ends where the code should be");
+}
