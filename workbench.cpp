@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
+#include "experiments/judge.h"
 #include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
@@ -18,6 +19,7 @@ namespace {
 std::vector<Command> commands() {
     return {command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
             command<Rule>("rule", "directions and weights of a rule"),
+            command<Judge>("judge", "is another program's output right?"),
             command<Light>("light", "the built-in light, > desert.hdr"),
             command<Known>("known", "what knowing the cosine is worth"),
             command<Tradeoff>("tradeoff", "what accuracy costs"),
@@ -36,9 +38,11 @@ Command command_named(const std::string& name) {
 }
 
 std::string usage(const Command& command) {
-    std::string text = "./workbench " + command.name + (command.name.empty() ? "" : " ") +
-                       (command.options.empty() ? "" : "[options]");
-    text.resize(std::max<std::size_t>(text.size() + 1, 33), ' ');
+    std::string text = "./workbench " + command.name + (command.name.empty() ? "" : " ");
+    for (const Option& option : command.options)
+        if (option.name.empty()) text += option.argument + " ";
+    text += command.options.empty() ? "" : "[options]";
+    text.resize(std::max<std::size_t>(text.size() + 1, 35), ' ');
     return text + command.summary + '\n';
 }
 

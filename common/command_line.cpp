@@ -59,15 +59,19 @@ bool is_whole(const std::string& text, const char* end) {
 
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options) {
     std::vector<option> table;
-    for (const Option& o : options)
+    std::vector<const Option*> named;
+    for (const Option& o : options) {
+        if (o.name.empty()) continue;
         table.push_back({o.name.c_str(), o.argument.empty() ? no_argument : required_argument, nullptr,
                          first_option + static_cast<int>(table.size())});
+        named.push_back(&o);
+    }
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
     std::vector<const Option*> given;
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         if (found < first_option) throw not_found(found, argv);
-        const Option& chosen = options[static_cast<std::size_t>(found - first_option)];
+        const Option& chosen = *named[static_cast<std::size_t>(found - first_option)];
         given.push_back(&chosen);
         try {
             chosen.set(optarg ? optarg : "");
@@ -78,14 +82,18 @@ std::vector<std::string> parse_options(int argc, char** argv, const std::vector<
     for (const Option* o : given)
         if (const std::string reason = o->idle ? o->idle() : ""; !reason.empty())
             throw UsageError("--" + o->name + " would change nothing: " + reason + "; leave it out");
-    return {argv + std::min(optind, argc), argv + argc};  // a caller may give no words at all, not even a name
+    int next = std::min(optind, argc);  // a caller may give no words at all, not even a name
+    for (const Option& o : options)
+        if (o.name.empty() && next < argc) o.set(argv[next++]);
+    return {argv + next, argv + argc};
 }
 
 std::string describe(const std::vector<Option>& options) {
     constexpr std::size_t indent = 23, width = 80;
     std::string text;
     for (const Option& o : options) {
-        std::string line = "  --" + o.name + (o.argument.empty() ? "" : " " + o.argument);
+        std::string line = o.name.empty() ? "  " : "  --" + o.name + (o.argument.empty() ? "" : " ");
+        line += o.argument;
         line.resize(std::max(line.size() + 1, indent - 1), ' ');
         std::istringstream words(o.description);
         for (std::string word; words >> word; line += ' ' + word)
@@ -161,11 +169,12 @@ std::unique_ptr<Covariance> ModelOptions::make_covariance() const {
     return ::make_covariance(covariance, is_sobolev ? smoothness : length_scale);
 }
 
-int run_program(const char* name, const std::function<std::string()>& body) {
+int run_program(const char* name, const std::function<Outcome()>& body) {
     try {
         portable::check_arithmetic();
-        write_all(body());
-        return 0;
+        const Outcome outcome = body();
+        write_all(outcome.text);
+        return outcome.status;
     } catch (const UsageError& error) {
         print_error(name, error.what());
         return 2;

@@ -18,7 +18,7 @@ struct UsageError : std::runtime_error {
 };
 
 struct Option {
-    std::string name;      // without the dashes
+    std::string name;      // without the dashes; empty: it is what an argument without a name sets
     std::string argument;  // what stands for its value in the help; empty: it takes none
     std::string description;
     std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed
@@ -27,7 +27,7 @@ struct Option {
     std::function<std::string()> idle = nullptr;
 };
 
-// Applies the options in argv. Returns the arguments that are no options. Throws UsageError, the text naming the
+// Applies the options in argv. Returns the arguments that no option takes. Throws UsageError, the text naming the
 // option, also for one that would change nothing: whoever gave it expects something else.
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options);
 
@@ -94,9 +94,17 @@ private:
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
 constexpr long max_process_samples = 4096;
 
-// Runs a program: prints to stdout what body returns, all of it or nothing, and returns the exit status: 0; 2 after a
+// What a program prints to stdout, and its exit status: 1 tells a script that something was found wrong.
+struct Outcome {
+    std::string text;
+    int status;
+
+    Outcome(std::string output, int exit_status = 0) : text(std::move(output)), status(exit_status) {}
+};
+
+// Runs a program: prints to stdout what body returns, all of it or nothing, and returns its exit status; 2 after a
 // UsageError, 1 after any other exception, each told in one line on stderr that begins with the program's name.
-int run_program(const char* name, const std::function<std::string()>& body);
+int run_program(const char* name, const std::function<Outcome()>& body);
 
 // Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.
 void require_file_output(const std::string& command);

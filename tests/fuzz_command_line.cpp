@@ -44,7 +44,7 @@ void check(const renderer_program::Request& request) {
     require(settings.width >= 1 && settings.width <= 8192);
     require(settings.height >= 1 && settings.height <= 8192);
     require(request.help || request.covariance != nullptr);
-    check(request.model);
+    check(request.options.model);
 }
 
 // The workbench's own options are in its commands.

@@ -17,7 +17,7 @@ struct Command {
     std::string name;     // empty: what the workbench does without a command
     std::string summary;  // for the help text
     std::vector<Option> options;
-    std::function<std::string()> report;  // throws UsageError where options do not fit together
+    std::function<Outcome()> report;  // throws UsageError where options do not fit together
 };
 
 // The command that runs an Experiment: a type with options(), which set its members, and report().

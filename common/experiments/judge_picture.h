@@ -1,0 +1,39 @@
+// Whether a picture of the sphere scene, made by whatever program with whatever random numbers, is what a correct one
+// makes: its numbers beside those of correct pictures with other seeds.
+//
+// A method that shares rules between pixels errs alike in many of them, so what one picture may differ by is the spread
+// over seeds, not over pixels. Every number is compared on a scale on which its spread is about normal: errors by their
+// logarithms, correlations by those of their distances to 0 and 1.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <string>
+#include <vector>
+
+#include "scene/picture_file.h"
+#include "scene/render.h"
+
+// A number of the picture, the mean and the standard deviation of correct pictures', and the range that is accepted.
+struct Quantity {
+    const char* name;
+    double here, expected, spread, low, high;
+
+    bool fits() const { return here >= low && here <= high; }
+};
+
+struct PictureJudgement {
+    // Background: the fraction of its pixels that differ. Then RMSE, brightness and correlation as image_error has
+    // them, and block, the largest error of the mean over a block of pixels.
+    std::vector<Quantity> quantities;
+    int block_x, block_y;   // the centre of that block
+    std::string resembles;  // the options of the method whose pictures have the likeliest such numbers
+    std::string mistake;    // a likely one if not all quantities fit and the numbers tell; or empty
+
+    bool fits() const;
+};
+
+// The picture against those of the settings, whose size and seed are not used. Throws std::invalid_argument if too few
+// pixels show an object, or the environment lights none.
+PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& environment, const Covariance& covariance,
+                               const RenderSettings& settings, const Progress& progress = nullptr);
