@@ -3,9 +3,11 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
+#include "experiments/judge.h"
 #include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
+#include "experiments/render_options.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
