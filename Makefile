@@ -4,6 +4,7 @@
 # make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
 # make test         every test, and the programs' output against tests/references
+# make mutations    whether the tests notice the breaks of the product that tests/mutations.txt lists
 # make portability  the output of every compiler and processor that this machine has tools for
 # make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
@@ -32,7 +33,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*.cpp common/*/*.cpp))
 # BEGIN LECTURER
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,tests/main.cpp $(wildcard tests/test_*.cpp))
-.PHONY: doctest handout grade test portability fuzz bench figures seconds format-check references
+.PHONY: doctest handout grade test portability mutations fuzz bench figures seconds format-check references
 # END LECTURER
 
 .PHONY: always all clean
@@ -74,6 +75,9 @@ test: all $(BUILD)/unit_tests $(BUILD)/compare
 
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/portability
+
+mutations:
+	BUILD=$(BUILD) tests/mutations
 
 FUZZ_SECONDS ?= 60
 FUZZ = $(BUILD)/fuzz

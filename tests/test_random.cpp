@@ -18,6 +18,10 @@ TEST_CASE("the generator is SplitMix64") {
     const std::uint64_t state = mix(mix(7 + 0x9e3779b97f4a7c15u) + 3);
     CHECK(random.bits() == mix(state + 0x9e3779b97f4a7c15u));
     CHECK(random.bits() == mix(state + 2 * 0x9e3779b97f4a7c15u));
+    for (std::uint64_t i = 3; i < 40; ++i) {
+        const std::uint64_t leading = mix(state + i * 0x9e3779b97f4a7c15u) >> 11;
+        CHECK(random.uniform() == static_cast<double>(leading) / 9007199254740992);  // 53 bits over 2^53
+    }
 }
 
 TEST_CASE("uniform numbers lie in [0, 1) with the moments of the uniform density") {

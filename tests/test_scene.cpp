@@ -30,6 +30,13 @@ TEST_CASE("rays meet the sphere, the rectangle or nothing") {
     const auto from_below = intersect(scene, {{3, -5, -5}, {0, 1, 0}});
     REQUIRE(from_below);
     CHECK(from_below->normal.y == -1);
+    // The first of two: the sphere before the rectangle and, from below, the rectangle before the sphere.
+    const auto sphere_first = intersect(scene, {{0, 0, 0}, normalize({0, -1.5, -5})});
+    REQUIRE(sphere_first);
+    CHECK(sphere_first->object == Object::sphere);
+    const auto rectangle_first = intersect(scene, {{0, -5, -5.5}, {0, 1, 0}});
+    REQUIRE(rectangle_first);
+    CHECK(rectangle_first->object == Object::rectangle);
     CHECK(!intersect(scene, {{0, 0, 0}, {0, 1, 0}}));
     CHECK(!intersect(scene, {{0, 0, 0}, {0, 0, 1}}));   // the sphere lies behind
     CHECK(!intersect(scene, {{0, -1, 0}, {1, 0, 0}}));  // parallel to the rectangle

@@ -316,9 +316,9 @@ std::vector<Option> Tradeoff::options() {
 }
 
 std::string Tradeoff::report() const {
+    const EnvironmentMap light = load_environment(environment);  // first of all, since it may not be there
     const std::vector<IntegralCost> integrals = integral_costs(practice_integrands().back(), timed);
-    const std::vector<PictureCost> pictures =
-        picture_costs(load_environment(environment), size, timed, terminal_progress("workbench"));
+    const std::vector<PictureCost> pictures = picture_costs(light, size, timed, terminal_progress("workbench"));
     return "# What an integral costs: the environment integrand, Sobolev 3/2, noise 0.01; errors are root mean "
            "squares.\n"
            "# mc_samples: samples with which Monte Carlo has the error of Bayesian Monte Carlo.\n" +
