@@ -109,6 +109,37 @@ void bench_rendering() {
     }
 }
 
+// A ray where the cosine is known and where the light is, on the directions that suit both; the two in turn, since the
+// machine's speed drifts.
+void bench_known_light() {
+    const EnvironmentMap environment = built_in_environment();
+    const PrefilteredEnvironment light(environment);
+    std::size_t floats = 3 * 257 * 129;  // of the irradiance
+    for (const LightTable& table : light.tables())
+        if (table.rgb != environment.texels()) floats += 3 * static_cast<std::size_t>(table.columns * table.rows);
+    std::printf("\n# averages of a known light: %.1f ms, %.1f MiB\n",
+                1e3 * median_seconds([&] {
+                    sink = PrefilteredEnvironment(environment).irradiance({0, 1, 0}).x;
+                }),
+                static_cast<double>(floats * sizeof(float)) / (1 << 20));
+    for (const std::size_t samples : {10u, 40u, 160u}) {
+        RenderSettings settings = square(250, samples, 1);
+        settings.placement = Placement::cosine_fibonacci;
+        settings.prior.known = KnownPart::cosine;
+        std::vector<double> cosine, known;
+        for (int run = 0; run < 7; ++run) {
+            settings.light = nullptr;
+            cosine.push_back(ray_seconds(environment, settings));
+            settings.light = &light;
+            known.push_back(ray_seconds(environment, settings));
+        }
+        const double least = *std::min_element(cosine.begin(), cosine.end());
+        const double least_known = *std::min_element(known.begin(), known.end());
+        std::printf("# %zu samples: %.2f ns/ray with the cosine known, %.2f with the light, ratio %.2f\n", samples,
+                    1e9 * least, 1e9 * least_known, least_known / least);
+    }
+}
+
 // The textbook's loop: an inner product for every element.
 void textbook_factor(Matrix& a) {
     for (std::size_t j = 0; j < a.rows(); ++j)
@@ -165,5 +196,6 @@ void bench_cholesky() {
 
 int main() {
     bench_rendering();
+    bench_known_light();
     bench_cholesky();
 }
