@@ -63,6 +63,13 @@ TEST_CASE("hits lie on their object and face the ray") {
     CHECK(rectangles > 500);
 }
 
+TEST_CASE("a sphere shadows in the directions towards it, not away from it") {
+    const SphereShadow above(sphere_scene().sphere, {0, 5, -5});
+    CHECK(above.covers({0, -1, 0}));
+    CHECK(!above.covers({0, 1, 0}));
+    CHECK(!above.covers({1, 0, 0}));
+}
+
 TEST_CASE("shadow tests agree with intersection for every direction") {
     const Scene scene = sphere_scene();
     const Camera camera{24, 24};
