@@ -113,6 +113,17 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
     return text;
 }
 
+std::vector<Integrand> integrands_named(const std::string& name) {
+    std::vector<Integrand> all = practice_integrands();
+    if (name.empty()) return all;
+    std::string names;
+    for (const Integrand& integrand : all) {
+        if (integrand.name == name) return {integrand};
+        names += (names.empty() ? "" : ", ") + integrand.name;
+    }
+    throw UsageError("--integrand: '" + name + "' is none of " + names);
+}
+
 std::vector<Option> ErrorTables::options() {
     std::vector<Option> options = {
         {"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
@@ -146,13 +157,8 @@ std::string ErrorTables::report() const {
         throw UsageError("--samples: 1 with --mean uniform leaves no error bar; give at least 2, or --mean zero");
     const std::unique_ptr<Covariance> covariance = model.make_covariance();
     const SquaredExponential rival(model.length_scale);
-    std::string text, names;
-    for (const Integrand& candidate : practice_integrands()) {
-        names += (names.empty() ? "" : ", ") + candidate.name;
-        if (!integrand.empty() && integrand != candidate.name) continue;
-        text +=
-            (text.empty() ? "" : "\n\n") + error_report(candidate, error_table(candidate, *covariance, rival, chosen));
-    }
-    if (text.empty()) throw UsageError("--integrand: '" + integrand + "' is none of " + names);
+    std::string text;
+    for (const Integrand& each : integrands_named(integrand))
+        text += (text.empty() ? "" : "\n\n") + error_report(each, error_table(each, *covariance, rival, chosen));
     return text;
 }

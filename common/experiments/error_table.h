@@ -46,6 +46,9 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& 
 // The table as text.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
 
+// The practice's integrand of that name, or all of them if it is empty. Throws UsageError if there is none.
+std::vector<Integrand> integrands_named(const std::string& name);
+
 // What the workbench prints without a command: the tables of the practice's integrands.
 struct ErrorTables {
     std::string integrand;  // empty: all

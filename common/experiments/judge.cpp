@@ -1,7 +1,9 @@
 #include "experiments/judge.h"
 
+#include "experiments/error_table.h"
 #include "experiments/input.h"
 #include "experiments/judge_picture.h"
+#include "experiments/judge_table.h"
 #include "scene/desert.h"
 
 #include <optional>
@@ -15,7 +17,7 @@ std::string picture_report(const PictureJudgement& judgement) {
         if (!q.fits()) outside += (outside.empty() ? "" : ", ") + std::string(q.name);
     }
     text += line("# The block that errs most is around column %d, row %d.\n", judgement.block_x, judgement.block_y) +
-            "# The numbers resemble most those of " + judgement.resembles + ".\n";
+            (judgement.resembles.empty() ? "" : "# The numbers resemble most those of " + judgement.resembles + ".\n");
     if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
     return text + "# Verdict: not what correct programs do, by " + outside +
            (judgement.mistake.empty() ? "" : "; likely: " + judgement.mistake) + ".\n";
@@ -27,30 +29,58 @@ std::vector<Option> Judge::options() {
     std::vector<Option> options = {
         {"", "FILE", "a picture (PPM or PFM) or, with --integrand, a table (-: standard input)",
          [this](const std::string& text) { file = parse_name(text); }},
-        {"environment", "FILE", "the picture's light, in place of the built-in desert",
-         [this](const std::string& text) { environment = parse_name(text); }}};
-    for (const auto& group : {correct.method_options(), correct.model_options()})
-        for (const Option& option : group)
-            if (option.name != "seed") options.push_back(option);
+        {"integrand", "NAME", "the file is the error table of constant, cosine, cosine-cubed or environment",
+         [this](const std::string& text) { integrand = parse_name(text); }}};
+    std::vector<Option> of_picture = correct.method_options();
+    of_picture.push_back({"environment", "FILE", "the picture's light, in place of the built-in desert",
+                          [this](const std::string& text) { environment = parse_name(text); }});
+    for (Option& option : of_picture) {
+        option.idle = [this, idle = option.idle] {
+            if (!integrand.empty()) return std::string("an error table has none");
+            return idle ? idle() : std::string();
+        };
+        options.push_back(std::move(option));
+    }
+    for (Option& option : correct.model_options())
+        if (option.name != "seed") options.push_back(std::move(option));
     return options;
 }
 
 Outcome Judge::report() const {
-    if (file.empty()) throw UsageError("judge: name the file to judge, as ./workbench judge out.ppm");
-    RenderSettings settings = correct.chosen();
+    if (file.empty()) throw UsageError("judge: name the file to judge, as in ./workbench judge out.ppm");
+    const RenderSettings settings = correct.chosen();
     const std::unique_ptr<Covariance> covariance = correct.model.make_covariance();
+    return integrand.empty() ? judge_picture_file(settings, *covariance) : judge_table_file(settings, *covariance);
+}
+
+Outcome Judge::judge_picture_file(RenderSettings settings, const Covariance& covariance) const {
+    if (settings.samples > 1000) throw UsageError("judge: --samples: at most 1000 can be judged");
     const EnvironmentMap light = load_environment(environment);
     std::optional<PrefilteredEnvironment> prefiltered;
     if (correct.light_known) settings.light = &prefiltered.emplace(light);
     std::optional<Picture> picture;
     read_input(file, [&](std::istream& in) { picture = read_picture(in); });
     const PictureJudgement judgement =
-        judge_picture(*picture, light, *covariance, settings, terminal_progress("workbench"));
-    return {
-        line("# %s, %d x %d pixels, ", file.substr(0, 200).c_str(), picture->image.width(), picture->image.height()) +
-            (picture->maxval > 0 ? line("codes to %d", picture->maxval) : "linear floats") +
-            line(", beside correct ones of --method %s --samples %zu\n", name_of(settings.method, method_names),
-                 settings.samples) +
-            picture_report(judgement),
-        judgement.fits() ? 0 : 1};
+        judge_picture(*picture, light, covariance, settings, terminal_progress("workbench"));
+    const std::string codes = picture->maxval > 0 ? line("codes to %d", picture->maxval) : "linear floats";
+    return {line("# %d x %d pixels, %s, beside correct ones of --method %s --samples %zu\n", picture->image.width(),
+                 picture->image.height(), codes.c_str(), name_of(settings.method, method_names), settings.samples) +
+                picture_report(judgement),
+            judgement.fits() ? 0 : 1};
+}
+
+Outcome Judge::judge_table_file(const RenderSettings& settings, const Covariance& covariance) const {
+    const Integrand chosen = integrands_named(integrand).front();
+    std::vector<Row> rows;
+    read_input(file, [&](std::istream& in) { rows = read_rows(in, 1000); });
+    TableJudgement judgement;
+    try {
+        judgement = judge_table(rows, chosen, covariance, settings.noise, settings.placement, settings.prior);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(file + ": " + error.what());
+    }
+    return {"# integral of " + chosen.formula +
+                line(" = %.10f, beside means of 100 errors (MC) and of 10 (BMC)\n", chosen.truth) +
+                table_report(judgement),
+            judgement.fits() ? 0 : 1};
 }

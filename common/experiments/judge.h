@@ -14,4 +14,8 @@ struct Judge {
 
     std::vector<Option> options();
     Outcome report() const;  // exit status 0: within what correct programs do; 1: not
+
+private:
+    Outcome judge_picture_file(RenderSettings settings, const Covariance& covariance) const;
+    Outcome judge_table_file(const RenderSettings& settings, const Covariance& covariance) const;
 };

@@ -45,9 +45,15 @@ constexpr Scale scales[quantity_count] = {{"rmse", log_of_positive, portable::ex
                                           {"alike", log_of_positive, portable::exp, 0.05},
                                           {"block", log_of_positive, portable::exp, 0.1}};
 
-// Standard deviations that a number may be away from the mean: a correct picture is called wrong once in thousands,
-// even where the spread has longer tails than a normal one.
-constexpr double accepted_deviations = 5;
+// Whether all pixels share one rule: a picture is then one sample.
+bool shares_one_rule(const RenderSettings& settings) {
+    return settings.method == Method::single || settings.method == Method::rotated ||
+           (settings.method == Method::mc && is_lattice(settings.placement));
+}
+
+// Standard deviations that a number may be away from the mean, for a correct picture to be called wrong once in
+// thousands: more for one rule, whose numbers have longer tails than normal ones.
+double accepted_deviations(const RenderSettings& settings) { return shares_one_rule(settings) ? 6 : 5; }
 
 // Of numbers on their scale.
 struct Spread {
@@ -114,6 +120,7 @@ public:
         settings.method = Method::mc;
         settings.placement = Placement::cosine_fibonacci;
         settings.samples = dense_samples;
+        settings.light = nullptr;
         Image image = render(scene_, environment_, covariance_, settings);
         count(static_cast<double>(dense_samples) * settings.width * settings.height);
         return image;
@@ -242,8 +249,9 @@ std::string options_of(const RenderSettings& settings) {
     return line("--method %s --samples %zu", name_of(settings.method, method_names), settings.samples);
 }
 
+// The settings themselves first.
 std::vector<Candidate> candidates_for(const RenderSettings& settings) {
-    std::vector<Candidate> candidates;
+    std::vector<Candidate> candidates = {{options_of(settings), settings}};
     std::vector<std::size_t> counts{10, 20, 40, 80, 160, settings.samples};
     std::sort(counts.begin(), counts.end());
     counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
@@ -252,33 +260,36 @@ std::vector<Candidate> candidates_for(const RenderSettings& settings) {
             RenderSettings chosen = settings;
             chosen.method = method;
             chosen.samples = samples;
-            candidates.push_back({options_of(chosen), chosen});
+            if (method != settings.method || samples != settings.samples)
+                candidates.push_back({options_of(chosen), chosen});
         }
     candidates.push_back({options_of(settings) + ", the pool not turned", settings, false});
     return candidates;
 }
 
-// Minus the logarithm of the density that the numbers have among others.
+// Minus the logarithm of the density, up to a constant, that the numbers have after n others: Student's with n - 1
+// degrees of freedom for each.
 double unlikelihood(const Numbers& numbers, const std::vector<Numbers>& others) {
+    const double n = static_cast<double>(others.size());
     double sum = 0;
     for (std::size_t i = 0; i < quantity_count; ++i) {
         const Spread spread(others, i, scales[i]);
         const double deviation = (scales[i].to(numbers[i]) - spread.mean) / spread.deviation;
-        sum += 0.5 * deviation * deviation + portable::log(spread.deviation);
+        sum += n / 2 * portable::log(1 + deviation * deviation / (n - 1)) + portable::log(spread.deviation);
     }
     return sum;
 }
 
 // Of a method that shares rules a picture is one sample; pixels of Monte Carlo are many, and take longer.
 std::size_t seeds_for(const RenderSettings& settings) {
-    return settings.method == Method::mc && !is_lattice(settings.placement) ? 20 : 40;
+    return settings.method == Method::mc && !shares_one_rule(settings) ? 20 : 40;
 }
 
 constexpr std::size_t candidate_seeds = 8;
 
 // The quantities of a picture with such numbers among correct ones, and of its background.
-std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbers>& correct, double differing,
-                                    double background_pixels) {
+std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbers>& correct, double deviations,
+                                    double differing, double background_pixels) {
     std::vector<Quantity> quantities = {
         {"background", differing, 0, 0, 0, std::max(0.001, 2 / std::max(1.0, background_pixels))}};
     for (std::size_t i = 0; i < quantity_count; ++i) {
@@ -288,25 +299,49 @@ std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbe
         for (const Numbers& numbers : correct) mean += numbers[i] / n;
         for (const Numbers& numbers : correct) variance += (numbers[i] - mean) * (numbers[i] - mean) / (n - 1);
         const Spread spread(correct, i, scale);
-        const double reach = accepted_deviations * spread.deviation;
+        const double reach = deviations * spread.deviation;
         quantities.push_back({scale.name, here[i], mean, std::sqrt(variance), scale.from(spread.mean - reach),
                               scale.from(spread.mean + reach)});
     }
     return quantities;
 }
 
-// What the likeliest candidate says of a picture that should be of the settings; or an empty text.
-std::string mistake_by_pattern(const Candidate& likeliest, const RenderSettings& settings) {
+// The likeliest of the candidates, and the logarithm of how many times likelier it is than the first.
+struct Resemblance {
+    Candidate likeliest;
+    double excess;
+};
+
+Resemblance resemblance(const Numbers& here, const std::vector<Candidate>& candidates, Studio& studio,
+                        const Truth& truth) {
+    const double first = unlikelihood(here, studio.numbers(candidates[0], truth, candidate_seeds));
+    Resemblance best{candidates[0], 0};
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        const double excess = first - unlikelihood(here, studio.numbers(candidates[i], truth, candidate_seeds));
+        if (excess > best.excess) best = {candidates[i], excess};
+    }
+    return best;
+}
+
+// What the pattern of the errors tells of a picture that should be of the settings but is not; or an empty text.
+std::string mistake_by_pattern(const PictureJudgement& judgement, const Candidate& likeliest,
+                               const RenderSettings& settings) {
     const Method seems = likeliest.settings.method, wanted = settings.method;
+    const bool patterned = !judgement.fits("alike") || !judgement.fits("correlation") || !judgement.fits("unlike");
+    if (!patterned) return judgement.fits("rmse") ? "" : "another number of samples, or wrong weights";
     if (!likeliest.turns && wanted != Method::single) return "the rules are not turned";
-    if (seems == wanted) return "";
-    if (seems == Method::single) return "one rule for all pixels, not turned";
+    if (seems == Method::single && wanted != Method::single) return "one rule for all pixels, not turned";
     if (seems == Method::rotated && wanted != Method::mc) return "one rule for all pixels, if turned";
-    if (seems == Method::mc) return "every sample turned by an angle of its own, or weights of Monte Carlo";
+    if (seems == Method::mc && wanted != Method::mc) return "weights of Monte Carlo, or samples turned one by one";
     return "";
 }
 
 }  // namespace
+
+bool PictureJudgement::fits(const std::string& name) const {
+    return std::all_of(quantities.begin(), quantities.end(),
+                       [&](const Quantity& q) { return q.name != name || q.fits(); });
+}
 
 bool PictureJudgement::fits() const {
     return std::all_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) { return quantity.fits(); });
@@ -325,8 +360,8 @@ PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& env
     settings.width = width;
     settings.height = height;
     settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    const Candidate asked{options_of(settings), settings};
     const std::vector<Candidate> candidates = candidates_for(settings);
+    const Candidate& asked = candidates[0];
     const int step = std::max(1, std::min(width, height) / 150);
     double rays = static_cast<double>(Studio::dense_samples) * width * height +
                   static_cast<double>(seeds_for(settings)) * Studio::rays(asked, width, height);
@@ -344,9 +379,11 @@ PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& env
     if (!std::isfinite(here[1]))
         throw std::invalid_argument("the environment lights no object, so there is nothing to judge; take another");
     const BlockError block = largest_block_error(mask, image, truth.image, truth.block_side());
-    PictureJudgement judgement{quantities_of(here, studio.numbers(asked, truth, seeds_for(settings)),
-                                             background.differing, static_cast<double>(mask.size()) - objects),
-                               block.x, block.y, "", ""};
+    const std::vector<Numbers> correct = studio.numbers(asked, truth, seeds_for(settings));
+    const double background_pixels = static_cast<double>(mask.size()) - objects;
+    PictureJudgement judgement{
+        quantities_of(here, correct, accepted_deviations(settings), background.differing, background_pixels), block.x,
+        block.y, "", ""};
 
     const Truth thin{thinned(truth.image, step), thinned(mask, width, height, step)};
     const Numbers thin_here = thin.numbers(thinned(image, step));
@@ -355,17 +392,15 @@ PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& env
     small.height = thin.image.height();
     const Image small_truth = studio.truth(small);
     const Truth coarse{maxval > 0 ? clamped(small_truth) : small_truth, object_mask(scene, small.width, small.height)};
-    const Candidate* likeliest = nullptr;
-    double least = 0;
-    for (const Candidate& candidate : candidates) {
-        const double unlikely = unlikelihood(thin_here, studio.numbers(candidate, coarse, candidate_seeds));
-        if (likeliest && unlikely >= least) continue;
-        likeliest = &candidate;
-        least = unlikely;
-    }
-    judgement.resembles = likeliest->name;
+    const Resemblance best = resemblance(thin_here, candidates, studio, coarse);
+    const bool other_method = best.likeliest.settings.method != settings.method || !best.likeliest.turns;
+    judgement.quantities.push_back({"unlike", other_method ? best.excess : 0, 0, 0, 0, 10});
+    judgement.resembles = best.likeliest.name;
     if (judgement.fits()) return judgement;
     judgement.mistake = likely_mistake(scene, environment, picture.image, maxval, dense, settings.samples);
-    if (judgement.mistake.empty()) judgement.mistake = mistake_by_pattern(*likeliest, settings);
+    if (judgement.mistake.empty())
+        judgement.mistake = mistake_by_pattern(judgement, best.likeliest, settings);
+    else
+        judgement.resembles.clear();  // the numbers of a picture that is wrong as a whole resemble nothing
     return judgement;
 }

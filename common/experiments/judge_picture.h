@@ -24,13 +24,16 @@ struct Quantity {
 
 struct PictureJudgement {
     // Background: the fraction of its pixels that differ. Then RMSE, brightness and correlation as image_error has
-    // them, and block, the largest error of the mean over a block of pixels.
+    // them, alike neighbours, and block, the largest error of the mean over a block of pixels. Last "unlike": the
+    // logarithm of how many times likelier such numbers are with another method; were the densities exact, a correct
+    // picture would exceed 10 with a probability of at most e^-10 for each of them.
     std::vector<Quantity> quantities;
     int block_x, block_y;   // the centre of that block
-    std::string resembles;  // the options of the method whose pictures have the likeliest such numbers
+    std::string resembles;  // the method whose pictures have such numbers most likely, as options; or empty
     std::string mistake;    // a likely one if not all quantities fit and the numbers tell; or empty
 
     bool fits() const;
+    bool fits(const std::string& quantity) const;
 };
 
 // The picture against those of the settings, whose size and seed are not used. Throws std::invalid_argument if too few

@@ -83,13 +83,13 @@ void add_wrong_factors(std::vector<Suspect>& suspects, const Image& truth, const
     const double n = static_cast<double>(samples);
     const std::pair<const char*, double> factors[] = {{"1 / pi is missing", pi},
                                                       {"divided by pi twice", 1 / pi},
-                                                      {"weights pi / N in place of 2 pi / N, or half of that", 0.5},
+                                                      {"half as bright: weights pi / N in place of 2 pi / N", 0.5},
                                                       {"twice as bright", 2},
                                                       {"a quarter as bright", 0.25},
                                                       {"2 pi is missing: z, or weights 1 / N", 1 / (2 * pi)},
                                                       {"2 pi too often", 2 * pi},
                                                       {"divided by N twice", 1 / n},
-                                                      {"not divided by N", n},
+                                                      {"not divided by N, or w = z", n},
                                                       {"the objects are black", 0}};
     for (const auto& [name, factor] : factors)
         suspects.push_back({name, image_of(truth.width(), truth.height(), [&, f = factor](int x, int y) {
@@ -121,14 +121,31 @@ void add_wrong_pictures(std::vector<Suspect>& suspects, const Image& truth, cons
     });
 }
 
-double squared_difference(const Image& a, const Image& b) {
+// Over the pixels that show an object, or over the others.
+double squared_difference(const Image& a, const Image& b, const std::vector<bool>& mask, bool objects) {
     double sum = 0;
+    std::size_t pixel = 0;
     for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) {
+        for (int x = 0; x < a.width(); ++x, ++pixel) {
+            if (mask[pixel] != objects) continue;
             const Color difference = a(x, y) - b(x, y);
             sum += dot(difference, difference);
         }
     return sum;
+}
+
+// The suspect that the picture differs least from there, if its squared difference is under a quarter of the truth's.
+std::string best_match(const std::vector<Suspect>& suspects, const Image& truth, const Image& here, int maxval,
+                       const std::vector<bool>& mask, bool objects) {
+    std::string name;
+    double least = squared_difference(here, stored(truth, maxval), mask, objects) / 4;
+    for (const Suspect& suspect : suspects) {
+        const double error = squared_difference(here, stored(suspect.image, maxval), mask, objects);
+        if (error >= least) continue;
+        least = error;
+        name = suspect.name;
+    }
+    return name;
 }
 
 }  // namespace
@@ -151,18 +168,10 @@ std::string likely_mistake(const Scene& scene, const EnvironmentMap& environment
     const int width = picture.width(), height = picture.height(), step = std::max(1, std::min(width, height) / 100);
     const Image here = thinned(picture, step), right = thinned(truth, step);
     const std::vector<bool> mask = thinned(object_mask(scene, width, height), width, height, step);
-    std::vector<Suspect> suspects = {{"", right}};
-    add_wrong_integrands(suspects, scene, environment, picture, right, step);
-    add_wrong_factors(suspects, right, mask, samples);
-    add_wrong_pictures(suspects, right, mask, maxval);
-    std::string name;
-    double least = squared_difference(here, stored(right, maxval)) / 4;
-    for (const Suspect& suspect : suspects) {
-        const double error = squared_difference(here, stored(suspect.image, maxval));
-        if (error < least) {
-            least = error;
-            name = suspect.name;
-        }
-    }
-    return name;
+    std::vector<Suspect> whole, objects;
+    add_wrong_pictures(whole, right, mask, maxval);
+    add_wrong_integrands(objects, scene, environment, picture, right, step);
+    add_wrong_factors(objects, right, mask, samples);
+    const std::string name = best_match(whole, right, here, maxval, mask, false);
+    return name.empty() ? best_match(objects, right, here, maxval, mask, true) : name;
 }

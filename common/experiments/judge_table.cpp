@@ -1,0 +1,144 @@
+#include "experiments/judge_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "experiments/command.h"
+
+namespace {
+
+constexpr std::size_t most_samples = 1000;
+
+// Of correct programs' conventions and of the digits that a table prints.
+constexpr double least_spread = 0.02;
+
+// What a correct estimate may differ from an error of 0 by: rounding.
+constexpr double rounding = 1e-6;
+
+std::size_t samples_of(const Row& row) {
+    const auto fail = [&](const std::string& problem) {
+        throw std::runtime_error("line " + std::to_string(row.line) + ": " + problem);
+    };
+    if (row.numbers.size() < 3) fail("a row should be samples, error of Monte Carlo, error of Bayesian Monte Carlo");
+    const double n = row.numbers[0];
+    if (!(n >= 1 && n <= static_cast<double>(most_samples) && n == std::floor(n)))
+        fail(line("%g samples; a whole number from 1 to %zu can be judged", n, most_samples));
+    return static_cast<std::size_t>(n);
+}
+
+// The mean of absolute errors, and their standard deviation.
+struct AbsoluteErrors {
+    double count = 0, sum = 0, squares = 0;
+
+    void add(double error) {
+        count += 1;
+        sum += std::fabs(error);
+        squares += error * error;
+    }
+    double mean() const { return sum / count; }
+    double deviation() const { return std::sqrt(std::max(0.0, squares / count - mean() * mean())); }
+};
+
+// A cell is a mean of so many estimates, and so is what is expected of it, of others.
+Cell cell(double here, const AbsoluteErrors& errors, std::size_t estimates) {
+    if (errors.mean() < rounding) return {here, 0, least_spread};
+    const double share = 1 / static_cast<double>(estimates) + 1 / errors.count;
+    return {here, errors.mean(), std::max(least_spread, errors.deviation() / errors.mean() * std::sqrt(share))};
+}
+
+std::string column_report(const Column& column) {
+    const double factor = column.accepted_factor();
+    std::string text =
+        line("# %s: mean ratio %.4g, accepted from %.4g to %.4g; scatter %.4g spreads, accepted to %.4g.\n",
+             column.name.c_str(), column.mean_ratio(), 1 / factor, factor, column.scatter(), column.accepted_scatter());
+    if (column.fits()) return text;
+    if (std::any_of(column.cells.begin(), column.cells.end(), [](const Cell& c) { return c.here < 0; }))
+        return text + "#   An error is negative: absolute values are asked for.\n";
+    if (column.mean_ratio() <= factor && column.mean_ratio() >= 1 / factor)
+        text +=
+            line("#   Errors scatter more than means of %zu do: fewer estimates, or one set of directions for all.\n",
+                 column.estimates);
+    return text;
+}
+
+}  // namespace
+
+double Cell::ratio() const {
+    if (expected > 0) return here / expected;
+    return std::fabs(here) <= rounding ? 1 : HUGE_VAL;
+}
+
+double Column::mean_ratio() const {
+    double sum = 0;
+    for (const Cell& c : cells) sum += c.ratio();
+    return sum / static_cast<double>(cells.size());
+}
+
+// Four standard deviations of the mean, on the logarithmic scale.
+double Column::accepted_factor() const {
+    double variance = 0;
+    for (const Cell& c : cells) variance += c.spread * c.spread;
+    return portable::exp(4 * std::sqrt(variance) / static_cast<double>(cells.size()));
+}
+
+// The cube root of a mean of positive numbers is about normal, its relative spread a third of the mean's (Wilson &
+// Hilferty, "The distribution of chi-square", PNAS 1931).
+double Column::scatter() const {
+    double sum = 0;
+    for (const Cell& c : cells) {
+        const double deviation = 3 * (portable::pow(std::max(c.ratio(), 0.0), 1.0 / 3) - 1) / c.spread;
+        sum += deviation * deviation;
+    }
+    return std::sqrt(sum / static_cast<double>(cells.size()));
+}
+
+// A sum of n squares of normal variables exceeds n + 2 sqrt(n t) + 2 t with a probability of at most e^-t (Laurent &
+// Massart, "Adaptive estimation of a quadratic functional", Annals of Statistics 2000, lemma 1); t = 7.
+double Column::accepted_scatter() const {
+    const double n = static_cast<double>(cells.size());
+    return std::sqrt(1 + 2 * std::sqrt(7 / n) + 14 / n);
+}
+
+bool Column::fits() const {
+    const double factor = accepted_factor(), ratio = mean_ratio();
+    return ratio <= factor && ratio >= 1 / factor && scatter() <= accepted_scatter();
+}
+
+TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const Covariance& covariance,
+                           double noise, Placement placement, Prior prior) {
+    TableJudgement judgement{{}, {"MC", 100, {}}, {"BMC", 10, {}}};
+    for (const Row& row : rows) judgement.samples.push_back(samples_of(row));
+    for (const Row& row : rows) {
+        const auto n = static_cast<std::size_t>(row.numbers[0]);
+        // Few where Q is large: the time grows as n^3.
+        const std::size_t estimates = std::clamp<std::size_t>(100000 / n, 100, 1000);
+        AbsoluteErrors mc, bmc;
+        for (std::size_t e = 0; e < estimates; ++e) {
+            const std::vector<Vec3> directions = estimate_directions(placement, n, 1000000, e);
+            mc.add(apply(monte_carlo_rule(directions, placement), integrand) - integrand.truth);
+            bmc.add(apply(bayesian_rule(covariance, noise, directions, prior), integrand) - integrand.truth);
+        }
+        judgement.mc.cells.push_back(cell(row.numbers[1], mc, judgement.mc.estimates));
+        judgement.bmc.cells.push_back(cell(row.numbers[2], bmc, judgement.bmc.estimates));
+    }
+    return judgement;
+}
+
+std::string table_report(const TableJudgement& judgement) {
+    std::string text =
+        "# samples     mc_error     expected    ratio   spread    bmc_error     expected    ratio   spread\n";
+    for (std::size_t i = 0; i < judgement.samples.size(); ++i) {
+        text += line("%9zu", judgement.samples[i]);
+        for (const Cell& c : {judgement.mc.cells[i], judgement.bmc.cells[i]})
+            text += line(" %12.5g %12.5g %8.3f %8.3f", c.here, c.expected, c.ratio(), c.spread);
+        text += '\n';
+    }
+    text += column_report(judgement.mc) + column_report(judgement.bmc);
+    if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
+    return text + "# Verdict: not what correct programs do, by " +
+           (judgement.mc.fits()    ? "BMC"
+            : judgement.bmc.fits() ? "MC"
+                                   : "MC and BMC") +
+           ".\n";
+}

@@ -1,0 +1,53 @@
+// Whether an error table by another program is what a correct one prints: every cell beside what the mean of so many
+// absolute errors is expected to be, and how much such a mean spreads.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <string>
+#include <vector>
+
+#include "experiments/input.h"
+#include "experiments/integrands.h"
+#include "quadrature/covariance.h"
+
+struct Cell {
+    double here, expected;
+    double spread;  // relative standard deviation of correct cells
+
+    double ratio() const;
+};
+
+// The cells of one column, from the top.
+struct Column {
+    std::string name;
+    std::size_t estimates;  // that each cell is the mean of
+    std::vector<Cell> cells;
+
+    double mean_ratio() const;
+
+    // How far the mean ratio of a correct column may be from 1, as a factor.
+    double accepted_factor() const;
+
+    // Root mean square over the cells of the deviation from the expected, in spreads: about 1 for correct cells; and
+    // the most that is accepted.
+    double scatter() const;
+    double accepted_scatter() const;
+
+    bool fits() const;
+};
+
+struct TableJudgement {
+    std::vector<std::size_t> samples;
+    Column mc, bmc;
+
+    bool fits() const { return mc.fits() && bmc.fits(); }
+};
+
+// The rows "samples, error of Monte Carlo, error of Bayesian Monte Carlo", whatever follows in them, as means of 100
+// and of 10 estimates. Throws std::runtime_error that names the line for other rows.
+TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const Covariance& covariance,
+                           double noise, Placement placement, Prior prior);
+
+// The judgement as text, to the verdict.
+std::string table_report(const TableJudgement& judgement);
