@@ -2,8 +2,7 @@
 // makes: its numbers beside those of correct pictures with other seeds.
 //
 // A method that shares rules between pixels errs alike in many of them, so what one picture may differ by is the spread
-// over seeds, not over pixels. Every number is compared on a scale on which its spread is about normal: errors by their
-// logarithms, correlations by those of their distances to 0 and 1.
+// over seeds, not over pixels.
 #pragma once
 
 #include "numerics/portable_math.h"

@@ -163,8 +163,9 @@ std::vector<bool> thinned(const std::vector<bool>& mask, int width, int height, 
     return left;
 }
 
-std::string likely_mistake(const Scene& scene, const EnvironmentMap& environment, const Image& picture, int maxval,
-                           const Image& truth, std::size_t samples) {
+std::string likely_mistake(const EnvironmentMap& environment, const Image& picture, int maxval, const Image& truth,
+                           std::size_t samples) {
+    const Scene scene = sphere_scene();
     const int width = picture.width(), height = picture.height(), step = std::max(1, std::min(width, height) / 100);
     const Image here = thinned(picture, step), right = thinned(truth, step);
     const std::vector<bool> mask = thinned(object_mask(scene, width, height), width, height, step);

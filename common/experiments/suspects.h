@@ -18,5 +18,5 @@ std::vector<bool> thinned(const std::vector<bool>& mask, int width, int height, 
 // The mistake that makes of the truth what the picture is: in the background, which has no noise, or else in the
 // objects; an empty text if none comes clearly closer than the truth. The truth is not clamped; maxval is that of the
 // picture.
-std::string likely_mistake(const Scene& scene, const EnvironmentMap& environment, const Image& picture, int maxval,
-                           const Image& truth, std::size_t samples);
+std::string likely_mistake(const EnvironmentMap& environment, const Image& picture, int maxval, const Image& truth,
+                           std::size_t samples);

@@ -1,0 +1,90 @@
+// What correct programs make of the scene: the numbers of their pictures, and how these spread over seeds.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/picture_file.h"
+#include "scene/render.h"
+
+// What a picture differs from the truth by: RMSE, brightness, correlation, alike neighbours, largest block error.
+constexpr std::size_t quantity_count = 5;
+using Numbers = std::array<double, quantity_count>;
+
+// A scale on which the spread of a number over seeds is about normal: errors by their logarithms, correlations by those
+// of their distances to 0 and 1. The floor is what must be allowed for on it beyond the spread, since correct programs
+// differ in their frames and roundings.
+struct Scale {
+    const char* name;
+    double (*to)(double);
+    double (*from)(double);
+    double floor;
+};
+extern const Scale scales[quantity_count];
+
+// Numbers on their scale.
+struct Spread {
+    double mean = 0, deviation = 0;  // the deviation of a new number from the mean of these
+
+    Spread(const std::vector<Numbers>& all, std::size_t which);
+};
+
+// The truth at one size.
+struct Truth {
+    Image image;
+    std::vector<bool> mask;  // which pixels show an object
+
+    Numbers numbers(const Image& picture) const;
+    int block_side() const;
+};
+
+// A way to render, the size and the seed apart.
+struct Candidate {
+    std::string name;  // its options
+    RenderSettings settings;
+    bool turns = true;  // false: a pool that is not turned
+};
+
+// Whether all pixels share one rule: a picture is then one sample.
+bool shares_one_rule(const RenderSettings& settings);
+
+// The settings themselves first, then every other method and number of samples, and the settings' pool, not turned.
+std::vector<Candidate> candidates_for(const RenderSettings& settings);
+
+// Makes pictures as a file with the largest code maxval keeps them, 0 for floats.
+class Studio {
+public:
+    Studio(const EnvironmentMap& environment, const Covariance& covariance, int maxval, const Progress& progress)
+        : environment_(environment), covariance_(covariance), maxval_(maxval), progress_(progress) {}
+
+    // A dense rule, whose size is that of the settings.
+    Image dense(RenderSettings settings);
+
+    // The same, clamped where a file is.
+    Truth truth(const RenderSettings& settings);
+
+    // Of so many pictures of the truth's size, each with a seed of its own.
+    std::vector<Numbers> numbers(const Candidate& candidate, const Truth& truth, std::size_t seeds);
+
+    // About how many rays of a shared rule take the time of one picture; and what the progress is told of.
+    static double rays(const Candidate& candidate, int width, int height);
+    void expect(double rays) { all_rays_ += rays; }
+
+private:
+    Image picture(const RenderSettings& settings) const;
+    Image unturned_pool(RenderSettings settings) const;
+    void count(double rays);
+
+    const Scene scene_ = sphere_scene();
+    const EnvironmentMap& environment_;
+    const Covariance& covariance_;
+    int maxval_;
+    const Progress& progress_;
+    double done_rays_ = 0, all_rays_ = 0;
+};
+
+// Leaves an RMSE of 0.0003, where 40 samples of the best method leave 0.005.
+constexpr std::size_t dense_samples = 2000;

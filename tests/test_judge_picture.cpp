@@ -1,0 +1,151 @@
+#include "experiments/judge_picture.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "quadrature/covariance.h"
+#include "scene/desert.h"
+
+namespace {
+
+constexpr int side = 60;
+
+RenderSettings settings_of(Method method, std::size_t samples = 40) {
+    RenderSettings settings;
+    settings.method = method;
+    settings.samples = samples;
+    settings.width = settings.height = side;
+    settings.seed = 5;
+    return settings;
+}
+
+const EnvironmentMap& desert() {
+    static const EnvironmentMap map = built_in_environment();
+    return map;
+}
+
+Image rendered(Method method, std::size_t samples = 40) {
+    return render(sphere_scene(), desert(), Sobolev(), settings_of(method, samples));
+}
+
+Picture written(const Image& image, bool as_floats = false) {
+    std::istringstream file(as_floats ? to_pfm(image) : to_ppm(image));
+    return read_picture(file);
+}
+
+PictureJudgement judged(const Picture& picture, Method method) {
+    return judge_picture(picture, desert(), Sobolev(), settings_of(method));
+}
+
+// Every pixel is that of f(x, y).
+template <class Pixel>
+Image changed(Pixel pixel) {
+    Image image(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) image.set(x, y, pixel(x, y));
+    return image;
+}
+
+bool shows_object(int x, int y) { return intersect(sphere_scene(), Camera{side, side}.ray(x, y)).has_value(); }
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("pictures of every method are within what correct programs do, as codes and as floats") {
+    for (const auto& [name, method] : method_names) {
+        CAPTURE(name);
+        const PictureJudgement judgement = judged(written(rendered(method), method == Method::pool), method);
+        for (const Quantity& quantity : judgement.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+        CHECK(judgement.fits());
+        CHECK(judgement.mistake.empty());
+    }
+}
+
+TEST_CASE("a program that rounds codes down and shows single texels in the background is correct") {
+    const Image image = rendered(Method::pool);
+    const Image other = changed([&](int x, int y) {
+        const Color c = shows_object(x, y) ? image(x, y) : desert().radiance(Camera{side, side}.ray(x, y).direction);
+        const auto down = [](double v) { return srgb_decoded(std::floor(255 * srgb_encoded(v)) / 255); };
+        return Color{down(c.x), down(c.y), down(c.z)};
+    });
+    const PictureJudgement judgement = judged(written(other), Method::pool);
+    for (const Quantity& quantity : judgement.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+}
+
+TEST_CASE("a wrong factor, geometry or transfer function is found and named") {
+    const Image image = rendered(Method::pool);
+    const auto scaled = [&](double factor) {
+        return changed([&](int x, int y) { return shows_object(x, y) ? factor * image(x, y) : image(x, y); });
+    };
+    const auto mistake = [&](const Image& picture, bool as_floats = false) {
+        const PictureJudgement judgement = judged(written(picture, as_floats), Method::pool);
+        CHECK(!judgement.fits());
+        return judgement.mistake;
+    };
+    CHECK(contains(mistake(scaled(portable::pi)), "1 / pi is missing"));
+    CHECK(contains(mistake(scaled(0.5), true), "pi / N"));
+    CHECK(contains(mistake(scaled(1 / (2 * portable::pi))), "2 pi is missing"));
+    CHECK(contains(mistake(changed([&](int x, int y) { return image(x, side - 1 - y); })), "upside down"));
+    CHECK(contains(mistake(changed([&](int x, int y) { return image(side - 1 - x, y); })), "mirrored"));
+    CHECK(contains(mistake(changed([&](int x, int y) { return shows_object(x, y) ? image(x, y) : Color{}; })),
+                   "background is black"));
+    CHECK(contains(mistake(changed([&](int x, int y) {
+                       const Color c = image(x, y);
+                       return Color{srgb_decoded(c.x), srgb_decoded(c.y), srgb_decoded(c.z)};
+                   })),
+                   "linear values in a PPM"));
+}
+
+TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta), no shadows") {
+    const Image background = rendered(Method::mc);
+    const std::vector<Vec3> directions = cosine_fibonacci_directions(500);
+    const auto shaded = [&](double power, bool shadows) {
+        return changed([&](int x, int y) {
+            const auto hit = intersect(sphere_scene(), Camera{side, side}.ray(x, y));
+            if (!hit) return background(x, y);
+            const Frame frame(hit->normal);
+            const Scene scene = sphere_scene();
+            Color sum;
+            for (const Vec3& local : directions) {
+                const Vec3 direction = frame.to_world(local);
+                const bool shadowed = hit->object == Object::sphere
+                                          ? RectangleShadow(scene.rectangle, hit->point).covers(direction)
+                                          : SphereShadow(scene.sphere, hit->point).covers(direction);
+                if (!shadows || !shadowed) sum = sum + portable::pow(local.y, power) * desert().radiance(direction);
+            }
+            return 1.0 / 500 * Color{hit->albedo.x * sum.x, hit->albedo.y * sum.y, hit->albedo.z * sum.z};
+        });
+    };
+    // The directions have the density cos(theta) / pi already.
+    CHECK(judged(written(shaded(1, true)), Method::pool).mistake == "cos(theta) twice");
+    CHECK(judged(written(shaded(-1, true)), Method::pool).mistake == "cos(theta) is missing");
+    CHECK(judged(written(shaded(0, false)), Method::pool).mistake == "no shadows");
+}
+
+TEST_CASE("a picture of another method is found: by its numbers, or as far likelier with the other") {
+    const auto mistake = [](Method made, Method wanted) {
+        const PictureJudgement judgement = judged(written(rendered(made)), wanted);
+        CHECK(!judgement.fits());
+        return judgement.mistake;
+    };
+    CHECK(contains(mistake(Method::single, Method::pool), "one rule for all pixels, not turned"));
+    CHECK(contains(mistake(Method::single, Method::rotated), "one rule for all pixels, not turned"));
+    CHECK(contains(mistake(Method::mc, Method::direct), "Monte Carlo"));
+    CHECK(contains(mistake(Method::mc, Method::rotated), "Monte Carlo"));
+    const PictureJudgement few = judged(written(rendered(Method::direct, 10)), Method::direct);
+    CHECK(!few.fits("rmse"));
+    CHECK(contains(few.resembles, "--samples 10"));
+}
+
+TEST_CASE("a picture too small to judge, and an environment without light, are refused") {
+    CHECK_THROWS_WITH_AS(judged({Image(20, 20), 255}, Method::pool),
+                         "20 x 20 pixels are too few to judge: 266 show an object, 500 should", std::invalid_argument);
+    const EnvironmentMap night(1, 1, {0, 0, 0});
+    CHECK_THROWS_WITH_AS(judge_picture(written(rendered(Method::mc)), night, Sobolev(), settings_of(Method::mc)),
+                         "the environment lights no object, so there is nothing to judge; take another",
+                         std::invalid_argument);
+}

@@ -1,0 +1,100 @@
+#include "experiments/judge_table.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "experiments/error_table.h"
+#include "rows_of.h"
+
+namespace {
+
+const std::vector<std::size_t> counts{10, 20, 30, 40, 50, 60};
+
+Integrand cosine() { return practice_integrands()[1]; }
+
+TableJudgement judged(const std::vector<Row>& rows) {
+    return judge_table(rows, cosine(), Sobolev(), 0.01, Placement::uniform, {});
+}
+
+// A table with so many estimates for a cell, each error multiplied.
+std::vector<Row> table(std::uint64_t seed, std::size_t mc_estimates, std::size_t bmc_estimates, double mc = 1,
+                       double bmc = 1) {
+    ErrorSettings settings;
+    settings.samples = counts;
+    settings.mc_estimates = mc_estimates;
+    settings.bmc_estimates = bmc_estimates;
+    settings.seed = seed;
+    std::vector<Row> rows;
+    for (const ErrorRow& row : error_table(cosine(), Sobolev(), SquaredExponential(), settings))
+        rows.push_back({rows.size() + 1, {static_cast<double>(row.samples), mc * row.mc_error, bmc * row.bmc_error}});
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("tables of twenty seeds are within what correct programs do") {
+    int wrong = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) wrong += !judged(table(seed, 100, 10)).fits();
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("a cell's spread is that of means of 100 and of 10 absolute errors, 7 and 29 % and what is expected's own") {
+    const TableJudgement judgement = judged(table(1, 100, 10));
+    REQUIRE(judgement.mc.cells.size() == counts.size());
+    for (const Cell& cell : judgement.mc.cells) {
+        CHECK(cell.spread > 0.07);  // half-normal errors: 0.756 / sqrt(100)
+        CHECK(cell.spread < 0.09);
+    }
+    for (const Cell& cell : judgement.bmc.cells) {
+        CHECK(cell.spread > 0.22);
+        CHECK(cell.spread < 0.32);
+    }
+}
+
+TEST_CASE("errors twice as large or half as large are found in their column") {
+    const TableJudgement twice = judged(table(2, 100, 10, 2, 1)), half = judged(table(2, 100, 10, 1, 0.4));
+    CHECK(!twice.mc.fits());
+    CHECK(twice.bmc.fits());
+    CHECK(half.mc.fits());
+    CHECK(!half.bmc.fits());
+    CHECK(table_report(half).find("# Verdict: not what correct programs do, by BMC.\n") != std::string::npos);
+}
+
+TEST_CASE("means of too few estimates scatter, and negative errors are named") {
+    const TableJudgement few = judged(table(3, 4, 1));
+    CHECK(!few.mc.fits());
+    std::vector<Row> rows = table(4, 100, 10);
+    rows[2].numbers[1] *= -1;
+    CHECK(table_report(judged(rows)).find("An error is negative") != std::string::npos);
+}
+
+TEST_CASE("the report has a row for each of the table, and ends in a verdict") {
+    const std::string text = table_report(judged(table(1, 100, 10)));
+    const auto rows = rows_of(text);
+    REQUIRE(rows.size() == counts.size());
+    for (const auto& row : rows) CHECK(row.size() == 9);
+    CHECK(text.find("# Verdict: within what correct programs do.\n") != std::string::npos);
+}
+
+TEST_CASE("an integral without error has none in a correct table") {
+    const Integrand constant = practice_integrands()[0];
+    const auto mc_fits = [&](double error) {
+        return judge_table({{1, {20, error, 0.2}}}, constant, Sobolev(), 0.01, Placement::uniform, {}).mc.fits();
+    };
+    CHECK(mc_fits(0));
+    CHECK(mc_fits(-4e-16));
+    CHECK(!mc_fits(0.01));
+}
+
+TEST_CASE("rows that are none of an error table are named") {
+    CHECK_THROWS_WITH_AS(judged({{7, {10, 0.1}}}),
+                         "line 7: a row should be samples, error of Monte Carlo, error of Bayesian Monte Carlo",
+                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(judged({{1, {10.5, 0.1, 0.1}}}),
+                         "line 1: 10.5 samples; a whole number from 1 to 1000 can be judged", std::runtime_error);
+    CHECK_THROWS_AS(judged({{1, {0, 0.1, 0.1}}}), std::runtime_error);
+    CHECK_THROWS_AS(judged({{1, {1001, 0.1, 0.1}}}), std::runtime_error);
+}
