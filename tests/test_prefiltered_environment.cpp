@@ -153,7 +153,7 @@ TEST_CASE("where there is light, no cap is black") {
     const EnvironmentMap map(64, 32, rgb);
     const PrefilteredEnvironment light(map);
     const LightTable& finest = light.tables()[light.tables().size() - 2];
-    const int down = TexelGrid(finest.columns, finest.rows).texel_index(0, -1, 0);
+    const int down = TexelGrid(finest.columns, finest.rows).texel_index(0.0, -1.0, 0.0);
     CHECK(finest.rgb[3 * down] > 0);
     CHECK(finest.rgb[3 * down] < 1e-8f);
 }

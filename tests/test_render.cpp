@@ -51,6 +51,60 @@ Image dense_quadrature(const EnvironmentMap& environment) {
     return render(sphere_scene(), environment, Sobolev(), settings);
 }
 
+// The light that a point reflects as one would first write it, in double precision and from a rule as it is.
+Color plain_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const QuadratureRule& rule,
+                  const Frame& frame) {
+    const RectangleShadow rectangle(scene.rectangle, hit.point);
+    const SphereShadow sphere(scene.sphere, hit.point);
+    Color sum;
+    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
+        const Vec3 direction = frame.to_world(rule.directions[i]);
+        if (hit.object == Object::sphere ? rectangle.covers(direction) : sphere.covers(direction)) continue;
+        sum = sum + rule.weights[i] * rule.directions[i].y / pi * environment.radiance(direction);
+    }
+    return {hit.albedo.x * sum.x, hit.albedo.y * sum.y, hit.albedo.z * sum.z};
+}
+
+// The picture of plain_light, with the random numbers that render draws: a pixel's own and those of the shared rules.
+Image plain_picture(const EnvironmentMap& environment, const RenderSettings& settings) {
+    const Scene scene = sphere_scene();
+    const auto rule_of = [&](Random& random) {
+        std::vector<Vec3> directions = uniform_directions(settings.samples, random);
+        return settings.method == Method::mc ? monte_carlo_rule(directions)
+                                             : bayesian_rule(Sobolev(), settings.noise, directions);
+    };
+    std::vector<QuadratureRule> shared;
+    for (std::uint64_t i = 0; i < settings.pool; ++i) {
+        Random random(settings.seed, (std::uint64_t{1} << 63) + i);
+        shared.push_back(rule_of(random));
+    }
+    Image image(settings.width, settings.height);
+    for (int y = 0; y < settings.height; ++y)
+        for (int x = 0; x < settings.width; ++x) {
+            const Ray ray = Camera{settings.width, settings.height}.ray(x, y);
+            const auto hit = intersect(scene, ray);
+            Random random(settings.seed, static_cast<std::uint64_t>(y * settings.width + x));
+            if (!hit) {
+                image.set(x, y, environment.interpolated_radiance(ray.direction));
+                continue;
+            }
+            Frame frame(hit->normal);
+            if (settings.method == Method::mc || settings.method == Method::direct) {
+                image.set(x, y, plain_light(scene, environment, *hit, rule_of(random), frame));
+                continue;
+            }
+            std::size_t choice = 0;
+            if (settings.method != Method::single) {
+                const double u = random.uniform();
+                const double turns = random.uniform();
+                if (settings.method == Method::pool) choice = static_cast<std::size_t>(20 * u);
+                frame = frame.rotated(turns);
+            }
+            image.set(x, y, plain_light(scene, environment, *hit, shared[choice], frame));
+        }
+    return image;
+}
+
 ImageError error_of(const Image& image, const Image& truth) {
     return image_error(object_mask(sphere_scene(), truth.width(), truth.height()), image, truth);
 }
@@ -318,6 +372,23 @@ TEST_CASE("a sphere under the rectangle lies in its shadow") {
     CHECK(std::fabs(lit.x - truth.x) < 0.01);
     CHECK(std::fabs(lit.y - truth.y) < 0.01);
     CHECK(std::fabs(lit.z - truth.z) < 0.01);
+}
+
+// Single precision moves about one direction in 10,000 across a texel's edge; what it changes of a pixel seldom reaches
+// half a unit of a byte. In 500 x 500 pixels 3 to 10 of 250,000 differ, 31 to 49 under a map of high contrast.
+TEST_CASE("single precision changes the bytes of at most 3 pixels in 10,000, whatever the method") {
+    const EnvironmentMap environment = built_in_environment();
+    for (const Method method : all_methods) {
+        RenderSettings settings = small(method);
+        settings.width = settings.height = 100;
+        const std::string fast = to_ppm(render(sphere_scene(), environment, Sobolev(), settings));
+        const std::string plain = to_ppm(plain_picture(environment, settings));
+        REQUIRE(fast.size() == plain.size());
+        int different = 0;
+        for (std::size_t i = fast.size() - 30000; i < fast.size(); i += 3)
+            different += fast.compare(i, 3, plain, i, 3) != 0;
+        CHECK(different <= 3);
+    }
 }
 
 TEST_CASE("progress counts the pixels that show an object, not rows of sky, and reaches the end once") {

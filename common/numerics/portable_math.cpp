@@ -19,14 +19,6 @@ constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
 // 2^k for -1022 <= k <= 1023.
 double power_of_two(int k) { return from_bits(static_cast<std::uint64_t>(1023 + k) << 52); }
 
-// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
-template <std::size_t N>
-double polynomial(const double (&c)[N], double x) {
-    double sum = c[N - 1];
-    for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + c[i];
-    return sum;
-}
-
 // x with only the leading bits of its significand: a product is exact if the bits of its factors add up to 53 or less.
 template <int bits>
 double leading_bits(double x) {

@@ -26,6 +26,7 @@
 #endif  // UNGUARDED_ARITHMETIC
 
 #include <cfloat>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -36,6 +37,14 @@ static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-b
 namespace portable {
 
 constexpr double pi = 3.14159265358979323846;
+
+// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule, in the precision of x.
+template <class Real, std::size_t N>
+Real polynomial(const double (&c)[N], Real x) {
+    Real sum = Real(c[N - 1]);
+    for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + Real(c[i]);
+    return sum;
+}
 
 // The bits of a double, and the double of such bits.
 inline std::uint64_t bits_of(double x) {

@@ -10,79 +10,83 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 // The texels of a map of so many columns and rows, apart from their radiance: a loop over directions copies it, so that
 // the compiler need not fear for it when texel indices are stored.
 class TexelGrid {
 public:
-    TexelGrid(int columns, int rows) : width_(columns), last_column_(columns - 1.0), last_row_(rows - 1.0) {}
+    TexelGrid(int columns, int rows) : width_(columns), height_(rows) {}
 
-    // Row * width_ + column of the texel that a direction sees. The direction has unit length up to rounding. Anything
-    // else, nan included, still gives a texel of the map.
+    // Row * width_ + column of the texel that a direction sees, in the precision of its components. The direction has
+    // unit length up to rounding. Anything else, nan included, still gives a texel of the map.
     //
     // This runs for every secondary ray, so it is a straight line of arithmetic that a compiler can turn into SIMD over
     // arrays of directions. Arccosine and arctangent are polynomials with an error of at most 2.3e-8: a texel's
-    // border moves by 2.3e-8 / (2 pi) * 1023 = 4e-6 of a texel in a map 1024 wide.
-    int texel_index(double x, double y, double z) const {
-        return static_cast<int>(row(y)) * width_ + static_cast<int>(column(x, z));
+    // border moves by 2.3e-8 / (2 pi) * 1023 = 4e-6 of a texel in a map 1024 wide. Rounding in single precision moves
+    // it by 3e-5, and may take the last of more than 2^24 texels for one more.
+    template <class Real>
+    int texel_index(Real x, Real y, Real z) const {
+        const int i = static_cast<int>(row(y)), j = static_cast<int>(column(x, z));
+        return (i < height_ ? i : height_ - 1) * width_ + (j < width_ ? j : width_ - 1);
     }
 
     // v (H - 1) and u (W - 1), for those who look between texels.
-    double row(double y) const { return clamp(arccosine(y) * (1 / portable::pi) * last_row_, last_row_); }
-    double column(double x, double z) const {
-        return clamp((0.5 + azimuth(x, z) * (0.5 / portable::pi)) * last_column_, last_column_);
+    template <class Real>
+    Real row(Real y) const {
+        return clamp(arccosine(y) * Real(1 / portable::pi) * Real(height_ - 1), Real(height_ - 1));
+    }
+    template <class Real>
+    Real column(Real x, Real z) const {
+        return clamp((Real(0.5) + azimuth(x, z) * Real(0.5 / portable::pi)) * Real(width_ - 1), Real(width_ - 1));
     }
 
     int width() const { return width_; }
 
 private:
     // To [0, last]; the order of the comparisons sends nan to 0.
-    static double clamp(double t, double last) {
-        const double not_negative = t > 0 ? t : 0;
+    template <class Real>
+    static Real clamp(Real t, Real last) {
+        const Real not_negative = t > 0 ? t : 0;
         return not_negative < last ? not_negative : last;
     }
 
     // Abramowitz & Stegun, Handbook of Mathematical Functions (1964), 4.4.46: acos(a) = sqrt(1 - a) P7(a) on [0, 1],
     // and acos(-a) = pi - acos(a).
-    static double arccosine(double y) {
-        const double a = std::fabs(y);
-        double p = -0.0012624911;
-        p = p * a + 0.0066700901;
-        p = p * a - 0.0170881256;
-        p = p * a + 0.0308918810;
-        p = p * a - 0.0501743046;
-        p = p * a + 0.0889789874;
-        p = p * a - 0.2145988016;
-        p = p * a + 1.5707963050;
-        const double from_pole = std::sqrt(a < 1 ? 1 - a : 0) * p;
-        return y < 0 ? portable::pi - from_pole : from_pole;
+    template <class Real>
+    static Real arccosine(Real y) {
+        constexpr double c[] = {1.5707963050, -0.2145988016, 0.0889789874, -0.0501743046,
+                                0.0308918810, -0.0170881256, 0.0066700901, -0.0012624911};
+        const Real a = std::fabs(y);
+        const Real from_pole = std::sqrt(a < 1 ? 1 - a : 0) * portable::polynomial(c, a);
+        return y < 0 ? Real(portable::pi) - from_pole : from_pole;
     }
 
     // atan2(x, -z) by Abramowitz & Stegun 4.4.49, atan(t) = t P8(t^2) on [0, 1], and the symmetries of the octants.
     // The smallest normal number in the denominator gives straight up and straight down the azimuth 0.
-    static double azimuth(double x, double z) {
-        const double across = std::fabs(x), along = std::fabs(z);
-        const double longer = across > along ? across : along;
-        const double t = (across > along ? along : across) / (longer > DBL_MIN ? longer : DBL_MIN);
-        const double t2 = t * t;
-        double p = 0.0028662257;
-        p = p * t2 - 0.0161657367;
-        p = p * t2 + 0.0429096138;
-        p = p * t2 - 0.0752896400;
-        p = p * t2 + 0.1065626393;
-        p = p * t2 - 0.1420889944;
-        p = p * t2 + 0.1999355085;
-        p = p * t2 - 0.3333314528;
-        p = p * t2 + 1;
-        const double octant = t * p;
-        const double quadrant = across > along ? portable::pi / 2 - octant : octant;
-        const double half = z > 0 ? portable::pi - quadrant : quadrant;
+    template <class Real>
+    static Real azimuth(Real x, Real z) {
+        constexpr double c[] = {1,
+                                -0.3333314528,
+                                0.1999355085,
+                                -0.1420889944,
+                                0.1065626393,
+                                -0.0752896400,
+                                0.0429096138,
+                                -0.0161657367,
+                                0.0028662257};
+        constexpr Real smallest = std::numeric_limits<Real>::min();
+        const Real across = std::fabs(x), along = std::fabs(z);
+        const Real longer = across > along ? across : along;
+        const Real t = (across > along ? along : across) / (longer > smallest ? longer : smallest);
+        const Real octant = t * portable::polynomial(c, t * t);
+        const Real quadrant = across > along ? Real(portable::pi / 2) - octant : octant;
+        const Real half = z > 0 ? Real(portable::pi) - quadrant : quadrant;
         return x < 0 ? -half : half;
     }
 
-    int width_;
-    double last_column_, last_row_;
+    int width_, height_;
 };
 
 class EnvironmentMap {

@@ -15,11 +15,19 @@ double cosine_weight(const QuadratureRule& rule, std::size_t i) {
 }
 // END SOLUTION
 
-// A quadrature rule for the cosine-weighted integral, as the loop over its directions reads it: an array per component,
+// The numbers that one SIMD instruction takes at most. Arrays of a whole number of them leave no rest to be computed
+// one by one.
+constexpr std::size_t vector_size = 16;
+
+std::size_t padded(std::size_t n) { return (n + vector_size - 1) / vector_size * vector_size; }
+
+// A quadrature rule for the cosine-weighted integral, as the loops over its directions read it: an array per component,
 // so that the compiler can compute neighbouring directions side by side, and cos(theta), which no rotation about the up
-// axis changes, folded into the weights once.
+// axis changes, folded into the weights once. The directions are in single precision, twice as many side by side, and
+// padded with some that have no weight.
 struct CosineRule {
-    std::vector<double> x, y, z, weight;
+    std::vector<float> x, y, z;
+    std::vector<double> weight;
 
     // Where the light is known, the table of its averages that each direction looks its light up in.
     const PrefilteredEnvironment* light;
@@ -27,11 +35,12 @@ struct CosineRule {
     std::vector<const float*> rgb;
 
     CosineRule(const QuadratureRule& rule, const PrefilteredEnvironment* known_light) : light(known_light) {
-        for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-            const Vec3 direction = rule.directions[i];
-            x.push_back(direction.x);
-            y.push_back(direction.y);
-            z.push_back(direction.z);
+        const std::size_t n = rule.weights.size();
+        for (std::vector<float>* component : {&x, &y, &z}) component->resize(padded(n));
+        for (std::size_t i = 0; i < n; ++i) {
+            x[i] = static_cast<float>(rule.directions[i].x);
+            y[i] = static_cast<float>(rule.directions[i].y);
+            z[i] = static_cast<float>(rule.directions[i].z);
             weight.push_back(cosine_weight(rule, i));
             if (!light) continue;
             const LightTable& table = light->table(solid_angle(rule, i));
@@ -39,6 +48,9 @@ struct CosineRule {
             rows.push_back(table.rows);
             rgb.push_back(table.rgb);
         }
+        if (!light) return;
+        columns.resize(padded(n), 1);
+        rows.resize(padded(n), 1);
     }
 
 private:
@@ -51,47 +63,57 @@ private:
 };
 
 // BEGIN SOLUTION shade
-// Frame, shadow and grid come by value: what only these loops can see, their stores cannot change, so they vectorise.
-
-// The weight of every direction [begin, end) that leaves the surface past the other object; 0 for those in shadow.
-template <class Shadow>
-void find_weights(const CosineRule& rule, std::size_t begin, std::size_t end, Frame frame, Shadow shadow,
-                  double* weight) {
-    const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data(), *rule_weight = rule.weight.data();
-    for (std::size_t i = begin; i < end; ++i)
-        weight[i - begin] = shadow.covers(frame.to_world({x[i], y[i], z[i]})) ? 0 : rule_weight[i];
-}
-
-// The texel that every direction [begin, end) ends in.
-void find_texels(const CosineRule& rule, std::size_t begin, std::size_t end, Frame frame, TexelGrid grid, int* texel) {
-    const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data();
-    for (std::size_t i = begin; i < end; ++i) {
-        const Vec3 direction = frame.to_world({x[i], y[i], z[i]});
-        texel[i - begin] = grid.texel_index(direction.x, direction.y, direction.z);
-    }
-}
-
-// The same where every direction has a table of its own.
-void find_texels(const CosineRule& rule, std::size_t begin, std::size_t end, Frame frame, int* texel) {
-    const double *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data();
-    const int *columns = rule.columns.data(), *rows = rule.rows.data();
-    for (std::size_t i = begin; i < end; ++i) {
-        const Vec3 direction = frame.to_world({x[i], y[i], z[i]});
-        texel[i - begin] = TexelGrid(columns[i], rows[i]).texel_index(direction.x, direction.y, direction.z);
-    }
-}
-
 // Directions that go through the loops together: what is noted of them stays in the nearest cache, and memory does not
 // grow with their number.
 constexpr std::size_t batch = 512;
+struct Samples {
+    float x[batch], y[batch], z[batch];  // directions in the world
+    float visible[batch];                // 1, or 0 where the other object is in the way
+    int texel[batch];
+};
 
-// The weights of a batch, by the object that can be in the way.
-void find_weights(const Scene& scene, const Hit& hit, const CosineRule& rule, std::size_t begin, std::size_t end,
-                  const Frame& frame, double* weight) {
+struct SingleVec3 {
+    float x, y, z;
+
+    explicit SingleVec3(Vec3 v) : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
+};
+
+// Carries n directions of the rule, from begin on, to the surface.
+void find_directions(const CosineRule& rule, std::size_t begin, std::size_t n, const Frame& frame, Samples& samples) {
+    const float *x = rule.x.data() + begin, *y = rule.y.data() + begin, *z = rule.z.data() + begin;
+    const SingleVec3 t(frame.tangent), u(frame.normal), b(frame.bitangent);
+    for (std::size_t i = 0; i < n; ++i) {
+        samples.x[i] = x[i] * t.x + y[i] * u.x + z[i] * b.x;
+        samples.y[i] = x[i] * t.y + y[i] * u.y + z[i] * b.y;
+        samples.z[i] = x[i] * t.z + y[i] * u.z + z[i] * b.z;
+    }
+}
+
+// Shadow and grid come by value: what only these loops can see, their stores cannot change, so they vectorise.
+
+template <class Shadow>
+void find_visible(std::size_t n, Shadow shadow, Samples& samples) {
+    for (std::size_t i = 0; i < n; ++i)
+        samples.visible[i] = shadow.covers(samples.x[i], samples.y[i], samples.z[i]) ? 0.0f : 1.0f;
+}
+
+// By the object that can be in the way.
+void find_visible(std::size_t n, const Scene& scene, const Hit& hit, Samples& samples) {
     if (hit.object == Object::sphere)
-        find_weights(rule, begin, end, frame, RectangleShadow(scene.rectangle, hit.point), weight);
+        find_visible(n, RectangleShadow(scene.rectangle, hit.point), samples);
     else
-        find_weights(rule, begin, end, frame, SphereShadow(scene.sphere, hit.point), weight);
+        find_visible(n, SphereShadow(scene.sphere, hit.point), samples);
+}
+
+// The texels that the directions end in.
+void find_texels(std::size_t n, TexelGrid grid, Samples& samples) {
+    for (std::size_t i = 0; i < n; ++i) samples.texel[i] = grid.texel_index(samples.x[i], samples.y[i], samples.z[i]);
+}
+
+// The same where every direction has a table of its own.
+void find_texels(std::size_t n, const int* columns, const int* rows, Samples& samples) {
+    for (std::size_t i = 0; i < n; ++i)
+        samples.texel[i] = TexelGrid(columns[i], rows[i]).texel_index(samples.x[i], samples.y[i], samples.z[i]);
 }
 
 Color reflect(const Hit& hit, Color irradiance) {
@@ -107,19 +129,19 @@ double fraction(double visible, double all) { return all > 0 ? std::clamp(visibl
 Color shade_known_light(const Scene& scene, const Hit& hit, const CosineRule& rule, const Frame& frame) {
     const Color irradiance = rule.light->irradiance(hit.normal);
     const std::size_t n = rule.weight.size();
-    double weight[batch];
-    int texel[batch];
+    Samples samples;
     Color visible, all;
     for (std::size_t begin = 0; begin < n; begin += batch) {
-        const std::size_t end = std::min(begin + batch, n);
-        find_weights(scene, hit, rule, begin, end, frame, weight);
-        if (n <= batch && std::equal(rule.weight.begin(), rule.weight.end(), weight)) return reflect(hit, irradiance);
-        find_texels(rule, begin, end, frame, texel);
-        for (std::size_t i = begin; i < end; ++i) {
-            const float* rgb = rule.rgb[i] + 3 * static_cast<std::ptrdiff_t>(texel[i - begin]);
-            const Color light{rgb[0], rgb[1], rgb[2]};
-            all = all + rule.weight[i] * light;
-            visible = visible + weight[i - begin] * light;
+        const std::size_t count = std::min(batch, n - begin);
+        find_directions(rule, begin, padded(count), frame, samples);
+        find_visible(padded(count), scene, hit, samples);
+        if (n <= batch && std::count(samples.visible, samples.visible + n, 0.0f) == 0) return reflect(hit, irradiance);
+        find_texels(padded(count), rule.columns.data() + begin, rule.rows.data() + begin, samples);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float* rgb = rule.rgb[begin + i] + 3 * static_cast<std::ptrdiff_t>(samples.texel[i]);
+            const Color light = rule.weight[begin + i] * Color{rgb[0], rgb[1], rgb[2]};
+            all = all + light;
+            visible = visible + static_cast<double>(samples.visible[i]) * light;
         }
     }
     return reflect(hit, {irradiance.x * fraction(visible.x, all.x), irradiance.y * fraction(visible.y, all.y),
@@ -131,16 +153,17 @@ Color shade_known_light(const Scene& scene, const Hit& hit, const CosineRule& ru
 Color shade(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
             const Frame& frame) {
     if (rule.light) return shade_known_light(scene, hit, rule, frame);
-    double weight[batch];
-    int texel[batch];
+    Samples samples;
     Color irradiance;
     for (std::size_t begin = 0, n = rule.weight.size(); begin < n; begin += batch) {
-        const std::size_t end = std::min(begin + batch, n);
-        find_weights(scene, hit, rule, begin, end, frame, weight);
-        find_texels(rule, begin, end, frame, environment.grid(), texel);
-        for (std::size_t i = 0; i < end - begin; ++i) {
-            const float* rgb = environment.texels() + 3 * static_cast<std::ptrdiff_t>(texel[i]);
-            irradiance = irradiance + weight[i] * Color{rgb[0], rgb[1], rgb[2]};
+        const std::size_t count = std::min(batch, n - begin);
+        find_directions(rule, begin, padded(count), frame, samples);
+        find_texels(padded(count), environment.grid(), samples);
+        find_visible(padded(count), scene, hit, samples);
+        for (std::size_t i = 0; i < count; ++i) {
+            const float* rgb = environment.texels() + 3 * static_cast<std::ptrdiff_t>(samples.texel[i]);
+            const double weight = static_cast<double>(samples.visible[i]) * rule.weight[begin + i];
+            irradiance = irradiance + weight * Color{rgb[0], rgb[1], rgb[2]};
         }
     }
     return reflect(hit, irradiance);

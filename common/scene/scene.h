@@ -56,7 +56,8 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 double object_pixels(const Scene& scene, int width, int height);
 
 // The tests that decide whether a shadow ray from a point outside the object meets it: neither divides nor branches, so
-// a loop over many directions vectorises. The objects are convex, so a hit on one can only be shadowed by the other.
+// a loop over many directions vectorises. They compute in the precision of the direction's components. The objects are
+// convex, so a hit on one can only be shadowed by the other.
 
 // |o|^2 - (o.d)^2 < radius^2 for the offset o to the centre, where the centre lies ahead.
 class SphereShadow {
@@ -64,10 +65,12 @@ public:
     SphereShadow(const Sphere& sphere, Vec3 point)
         : offset_(sphere.centre - point), excess_(dot(offset_, offset_) - sphere.radius * sphere.radius) {}
 
-    bool covers(Vec3 direction) const {
-        const double ahead = dot(offset_, direction);
-        return (ahead > 0) & (ahead * ahead > excess_);
+    template <class Real>
+    bool covers(Real x, Real y, Real z) const {
+        const Real ahead = Real(offset_.x) * x + Real(offset_.y) * y + Real(offset_.z) * z;
+        return (ahead > 0) & (ahead * ahead > Real(excess_));
     }
+    bool covers(Vec3 direction) const { return covers(direction.x, direction.y, direction.z); }
 
 private:
     Vec3 offset_;
@@ -85,11 +88,13 @@ public:
           far_(rectangle.z_min - point.z),
           near_(rectangle.z_max - point.z) {}
 
-    bool covers(Vec3 direction) const {
-        const double approach = towards_ * direction.y, x = height_ * direction.x, z = height_ * direction.z;
-        return (approach > 0) & (x >= left_ * approach) & (x <= right_ * approach) & (z >= far_ * approach) &
-               (z <= near_ * approach);
+    template <class Real>
+    bool covers(Real x, Real y, Real z) const {
+        const Real approach = Real(towards_) * y, across = Real(height_) * x, along = Real(height_) * z;
+        return (approach > 0) & (across >= Real(left_) * approach) & (across <= Real(right_) * approach) &
+               (along >= Real(far_) * approach) & (along <= Real(near_) * approach);
     }
+    bool covers(Vec3 direction) const { return covers(direction.x, direction.y, direction.z); }
 
 private:
     double towards_, height_, left_, right_, far_, near_;
