@@ -129,9 +129,8 @@ void paint(Row& row, double y) {
     row.paint(arch);
 }
 
-}  // namespace
-
-EnvironmentMap built_in_environment() {
+// sunlight: how many times as bright as the built-in one the sun is, at least 1.
+EnvironmentMap desert(double sunlight) {
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
     std::vector<float> rgb(3 * width * height);
@@ -145,28 +144,21 @@ EnvironmentMap built_in_environment() {
             row.z[i] = -polar.sine * azimuths[i].cosine;
         }
         paint(row, polar.cosine);
-        for (int i = 0; i < width; ++i)
+        for (int i = 0; i < width; ++i) {
+            const double to_sun = sunlight > 1 ? 0.5 + 0.5 * dot({row.x[i], row.y[i], row.z[i]}, sun) : 0;
+            const double brightness = 1 + (sunlight - 1) * sun_disc(to_sun);
             for (const double component : {row.red[i], row.green[i], row.blue[i]})
-                *value++ = static_cast<float>(clamp01(component));
-    }
-    return EnvironmentMap(width, height, std::move(rgb));
-}
-
-EnvironmentMap bright_desert() {
-    const EnvironmentMap map = built_in_environment();
-    std::vector<float> rgb(map.texels(), map.texels() + 3 * width * height);
-    float* texel = rgb.data();
-    for (int row = 0; row < height; ++row) {
-        const portable::SineCosine polar = portable::sincos_turns(0.5 * (row + 0.5) / (height - 1));
-        for (int column = 0; column < width; ++column, texel += 3) {
-            const portable::SineCosine azimuth = portable::sincos_turns((column + 0.5) / (width - 1) - 0.5);
-            const Vec3 d{polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
-            const double factor = 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun));
-            for (int i = 0; i < 3; ++i) texel[i] = static_cast<float>(factor * static_cast<double>(texel[i]));
+                *value++ = static_cast<float>(brightness * clamp01(component));
         }
     }
     return EnvironmentMap(width, height, std::move(rgb));
 }
+
+}  // namespace
+
+EnvironmentMap built_in_environment() { return desert(1); }
+
+EnvironmentMap bright_desert() { return desert(1000); }
 
 EnvironmentMap load_environment(const std::string& name) {
     if (name.empty()) return built_in_environment();
