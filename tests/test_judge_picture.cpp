@@ -56,8 +56,9 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_CASE("pictures of every method are within what correct programs do, as codes and as floats") {
-    for (const auto& [name, method] : method_names) {
-        CAPTURE(name);
+    for (const auto& each : method_names) {
+        CAPTURE(each.first);
+        const Method method = each.second;
         const PictureJudgement judgement = judged(written(rendered(method), method == Method::pool), method);
         for (const Quantity& quantity : judgement.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
         CHECK(judgement.fits());
