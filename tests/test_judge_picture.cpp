@@ -55,7 +55,8 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("pictures of every method are within what correct programs do, as codes and as floats") {
+TEST_CASE("pictures of every method are within what correct programs do, as codes and as floats" *
+          doctest::test_suite("long")) {
     for (const auto& each : method_names) {
         CAPTURE(each.first);
         const Method method = each.second;
@@ -77,7 +78,7 @@ TEST_CASE("a program that rounds codes down and shows single texels in the backg
     for (const Quantity& quantity : judgement.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
 }
 
-TEST_CASE("a wrong factor, geometry or transfer function is found and named") {
+TEST_CASE("a wrong factor, geometry or transfer function is found and named" * doctest::test_suite("long")) {
     const Image image = rendered(Method::pool);
     const auto scaled = [&](double factor) {
         return changed([&](int x, int y) { return shows_object(x, y) ? factor * image(x, y) : image(x, y); });
@@ -101,7 +102,8 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named") {
                    "linear values in a PPM"));
 }
 
-TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta), no shadows") {
+TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta), no shadows" *
+          doctest::test_suite("long")) {
     const Image background = rendered(Method::mc);
     const std::vector<Vec3> directions = cosine_fibonacci_directions(500);
     const auto shaded = [&](double power, bool shadows) {
@@ -127,7 +129,8 @@ TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta)
     CHECK(judged(written(shaded(0, false)), Method::pool).mistake == "no shadows");
 }
 
-TEST_CASE("a picture of another method is found: by its numbers, or as far likelier with the other") {
+TEST_CASE("a picture of another method is found: by its numbers, or as far likelier with the other" *
+          doctest::test_suite("long")) {
     const auto mistake = [](Method made, Method wanted) {
         const PictureJudgement judgement = judged(written(rendered(made)), wanted);
         CHECK(!judgement.fits());

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-TEST_CASE("what a picture costs: the practice's three steps against error correlated between pixels") {
+TEST_CASE("what a picture costs: the practice's three steps against error correlated between pixels" *
+          doctest::test_suite("long")) {
     const std::vector<PictureCost> rows = picture_costs(built_in_environment(), 32, false);
     CHECK(rows.size() == (8 * 2 + 14) * 5);
     const auto find = [&](Method method, std::size_t pool, std::size_t samples) {
@@ -62,7 +63,7 @@ TEST_CASE("what an integral costs: a rule pays off when Monte Carlo at equal err
     CHECK(std::fabs(row.integrals_to_pay_off() - 15.0 / 31) < 1e-12);
 }
 
-TEST_CASE("measured times are positive where they are asked for") {
+TEST_CASE("measured times are positive where they are asked for" * doctest::test_suite("long")) {
     const std::vector<IntegralCost> rows = integral_costs(practice_integrands()[1], true);
     for (const IntegralCost& row : rows) {
         CHECK(row.seconds.factor > 0);
