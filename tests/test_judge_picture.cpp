@@ -90,6 +90,12 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named" * d
     };
     CHECK(contains(mistake(scaled(portable::pi)), "1 / pi is missing"));
     CHECK(contains(mistake(scaled(0.5), true), "pi / N"));
+    CHECK(contains(mistake(changed([&](int x, int y) {
+                       const Color c = image(x, y);
+                       const double grey = (c.x + c.y + c.z) / 3;
+                       return shows_object(x, y) ? Color{grey, grey, grey} : c;
+                   })),
+                   "neighbouring pixels share"));
     CHECK(contains(mistake(scaled(1 / (2 * portable::pi))), "2 pi is missing"));
     CHECK(contains(mistake(changed([&](int x, int y) { return image(x, side - 1 - y); })), "upside down"));
     CHECK(contains(mistake(changed([&](int x, int y) { return image(side - 1 - x, y); })), "mirrored"));
@@ -143,6 +149,21 @@ TEST_CASE("a picture of another method is found: by its numbers, or as far likel
     const PictureJudgement few = judged(written(rendered(Method::direct, 10)), Method::direct);
     CHECK(!few.fits("rmse"));
     CHECK(contains(few.resembles, "--samples 10"));
+}
+
+TEST_CASE("numbers that are common each, but not together, are found" * doctest::test_suite("long")) {
+    const Image image = rendered(Method::rotated);
+    Random random(7, 0);
+    const Image noisy = changed([&](int x, int y) {
+        const double factor = 0.75 + 0.5 * random.uniform();
+        return shows_object(x, y) ? factor * image(x, y) : image(x, y);
+    });
+    // An unlucky rule errs as much as this noise, but not pixel by pixel.
+    const PictureJudgement judgement = judged(written(noisy), Method::rotated);
+    for (const char* name : {"rmse", "brightness", "correlation", "alike", "block"})
+        CHECK_MESSAGE(judgement.fits(name), name);
+    CHECK(!judgement.fits("together"));
+    CHECK(contains(judgement.mistake, "turned one by one"));
 }
 
 TEST_CASE("a picture too small to judge, and an environment without light, are refused") {

@@ -15,13 +15,13 @@ double log_of_positive(double x) { return portable::log(std::max(x, 1e-12)); }
 double log_of_fraction(double x) { return portable::log(0.003 + x); }
 double from_log_of_fraction(double t) { return std::clamp(portable::exp(t) - 0.003, 0.0, 1.0); }
 
-// Independent pixels have correlations of about 0, of either sign; hence the 0.05.
+// Independent pixels have correlations of about 0, of either sign; hence the 0.1.
 double log_odds(double correlation) {
-    return portable::log((0.05 + std::max(correlation, -0.045)) / (1.01 - correlation));
+    return portable::log((0.1 + std::max(correlation, -0.09)) / (1.01 - correlation));
 }
 double from_log_odds(double t) {
     const double odds = portable::exp(t);
-    return std::min(1.0, (1.01 * odds - 0.05) / (1 + odds));
+    return std::min(1.0, (1.01 * odds - 0.1) / (1 + odds));
 }
 
 // Away from the seeds that pictures to be judged are made with.
@@ -53,7 +53,7 @@ const Scale scales[quantity_count] = {{"rmse", log_of_positive, portable::exp, 0
                                       {"brightness", itself, itself, 0.001},
                                       {"correlation", log_odds, from_log_odds, 0.1},
                                       {"alike", log_of_fraction, from_log_of_fraction, 0.05},
-                                      {"block", log_of_positive, portable::exp, 0.1}};
+                                      {"block", log_of_positive, portable::exp, 0.2}};
 
 Spread::Spread(const std::vector<Numbers>& all, std::size_t which) {
     const Scale& scale = scales[which];

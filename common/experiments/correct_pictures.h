@@ -15,8 +15,8 @@ constexpr std::size_t quantity_count = 5;
 using Numbers = std::array<double, quantity_count>;
 
 // A scale on which the spread of a number over seeds is about normal: errors by their logarithms, correlations by those
-// of their distances to 0 and 1. The floor is what must be allowed for on it beyond the spread, since correct programs
-// differ in their frames and roundings.
+// of their distances to 0 and 1. The floor is the least deviation that is allowed for: correct programs differ in their
+// frames and roundings, and the largest of many errors has a long tail.
 struct Scale {
     const char* name;
     double (*to)(double);

@@ -10,6 +10,7 @@
 #include "experiments/picture_background.h"
 #include "experiments/picture_error.h"
 #include "experiments/suspects.h"
+#include "numerics/cholesky.h"
 
 namespace {
 
@@ -30,12 +31,38 @@ double unlikelihood(const Numbers& numbers, const std::vector<Numbers>& others) 
     return sum;
 }
 
+// How far the numbers are from the mean of others, in standard deviations along the ellipsoid that these scatter in
+// (Mahalanobis, 1936): an unlucky rule errs more and more alike, so more with less alike tells a mistake.
+double joint_deviation(const Numbers& numbers, const std::vector<Numbers>& others) {
+    const double n = static_cast<double>(others.size());
+    std::vector<double> mean, difference;
+    for (std::size_t i = 0; i < quantity_count; ++i) {
+        mean.push_back(Spread(others, i).mean);
+        difference.push_back(scales[i].to(numbers[i]) - mean[i]);
+    }
+    Matrix covariance(quantity_count, quantity_count);
+    for (std::size_t i = 0; i < quantity_count; ++i)
+        for (std::size_t j = i; j < quantity_count; ++j) {
+            for (const Numbers& other : others)
+                covariance(i, j) += (scales[i].to(other[i]) - mean[i]) * (scales[j].to(other[j]) - mean[j]);
+            covariance(i, j) *= (1 + 1 / n) / (n - 1);
+            if (i == j) covariance(i, i) += scales[i].floor * scales[i].floor;
+        }
+    double sum = 0;
+    for (const double whitened : Cholesky(covariance).solve_lower(difference)) sum += whitened * whitened;
+    return std::sqrt(sum);
+}
+
 // Of a method that shares rules a picture is one sample; pixels of Monte Carlo are many, and take longer.
 std::size_t seeds_for(const RenderSettings& settings) {
     return settings.method == Method::mc && !shares_one_rule(settings) ? 20 : 40;
 }
 
 constexpr std::size_t candidate_seeds = 8;
+
+// The joint deviation from n others that one picture in 50,000 exceeds, were the numbers normal: (n - k) / (k (n - 1))
+// of its square is then distributed as F with k and n - k degrees of freedom (Hotelling, 1931), k = quantity_count.
+double accepted_joint_deviation(std::size_t n) { return n == 20 ? 9.9 : 7; }
 
 // The quantities of a picture with such numbers among correct ones, and of its background.
 std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbers>& correct, double deviations,
@@ -53,6 +80,8 @@ std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbe
         quantities.push_back({scale.name, here[i], mean, std::sqrt(variance), scale.from(spread.mean - reach),
                               scale.from(spread.mean + reach)});
     }
+    quantities.push_back(
+        {"together", joint_deviation(here, correct), 0, 0, 0, accepted_joint_deviation(correct.size())});
     return quantities;
 }
 
@@ -87,13 +116,19 @@ Resemblance resemblance(const Image& image, const Truth& truth, const std::vecto
 // What the pattern of the errors tells of a picture that should be of the settings but is not; or an empty text.
 std::string mistake_by_pattern(const PictureJudgement& judgement, const Candidate& likeliest,
                                const RenderSettings& settings) {
+    const auto rmse = std::find_if(judgement.quantities.begin(), judgement.quantities.end(),
+                                   [](const Quantity& quantity) { return std::string(quantity.name) == "rmse"; });
+    if (rmse->here > 2 * rmse->expected && !judgement.fits("correlation"))
+        return "an error that neighbouring pixels share, largest in the block above";
     const Method seems = likeliest.settings.method, wanted = settings.method;
-    const bool alike = !judgement.fits("alike"), of_another = alike || !judgement.fits("unlike");
-    if (alike && !likeliest.turns && wanted != Method::single) return "the rules are not turned";
-    if (alike && seems == Method::single) return "one rule for all pixels, not turned";
-    if (alike && seems == Method::rotated && wanted != Method::mc) return "one rule for all pixels, if turned";
+    const bool of_another = !judgement.fits("alike") || !judgement.fits("unlike");
+    if (of_another && !likeliest.turns && wanted != Method::single) return "the rules are not turned";
+    if (of_another && seems == Method::single) return "one rule for all pixels, not turned";
+    if (of_another && seems == Method::rotated && wanted != Method::mc && wanted != Method::rotated)
+        return "one rule for all pixels, if turned";
     if (of_another && seems == Method::mc) return "weights of Monte Carlo, or samples turned one by one";
-    return judgement.fits("rmse") && judgement.fits("brightness") ? "" : "wrong weights, or another number of samples";
+    if (judgement.fits("rmse") && judgement.fits("brightness")) return "";
+    return "wrong weights, another number of samples, or samples that are not around the normal";
 }
 
 // The settings at the picture's size.
