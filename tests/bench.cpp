@@ -80,10 +80,19 @@ double plain_render_seconds(const EnvironmentMap& environment, const RenderSetti
     });
 }
 
+void bench_parts() {
+    const EnvironmentMap environment = built_in_environment();
+    const RenderSettings settings = square(500, 40, 1);
+    const Image image = render(sphere_scene(), environment, sobolev, settings);
+    const double rules = render_seconds(environment, square(1, settings.samples, 1));
+    std::printf("# ./renderer --threads 1, milliseconds: light %.2f, rules %.2f, pixels %.2f, PPM %.2f\n",
+                1e3 * median_seconds([] { sink = built_in_environment().texels()[0]; }), 1e3 * rules,
+                1e3 * (render_seconds(environment, settings) - rules),
+                1e3 * median_seconds([&] { sink = static_cast<double>(to_ppm(image).size()); }));
+}
+
 void bench_rendering() {
     const EnvironmentMap environment = built_in_environment();
-    std::printf("# start-up: built-in environment %.1f ms\n",
-                1e3 * median_seconds([] { sink = built_in_environment().texels()[0]; }));
     std::printf(
         "\n# a secondary ray of method pool, the rules made\n# size samples threads ms/picture   ns/ray  MiB at "
         "most\n");
@@ -195,6 +204,7 @@ void bench_cholesky() {
 }  // namespace
 
 int main() {
+    bench_parts();
     bench_rendering();
     bench_known_light();
     bench_cholesky();

@@ -111,6 +111,21 @@ ImageError error_of(const Image& image, const Image& truth) {
 
 }  // namespace
 
+TEST_CASE("the directions of a pixel are those that README gives") {
+    const auto hit = intersect(sphere_scene(), Camera{500, 500}.ray(0, 499));
+    REQUIRE(hit.has_value());
+    Random random(1, 499 * 500);
+    const Frame frame(hit->normal);
+    const std::vector<Vec3> local = uniform_directions(40, random);
+    const Vec3 expected[] = {{-0.710549396, 0.566751086, -0.417028492},
+                             {-0.015689316, 0.616979968, -0.786822448},
+                             {-0.702922947, 0.613658490, 0.359614498}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 difference = frame.to_world(local[i]) - expected[i];
+        CHECK(std::sqrt(dot(difference, difference)) < 1e-9);
+    }
+}
+
 TEST_CASE("1, 2 and 7 threads give the same bytes for every method") {
     for (Method method : all_methods) {
         RenderSettings settings = small(method);
