@@ -1,5 +1,9 @@
 #include "scene/irradiance_map.h"
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
 #include "scene/solid_texels.h"
 
 namespace {
@@ -80,9 +84,18 @@ private:
     std::vector<float> integrals_;   // [part][row][column]
 };
 
+void require_finite_integrals(const EnvironmentMap& environment) {
+    const float* end = environment.texels() + 3 * environment.width() * environment.height();
+    const float largest = *std::max_element(environment.texels(), end);
+    if (largest > 1e36f)
+        throw std::runtime_error("the light is too bright to be known: a radiance is " + std::to_string(largest) +
+                                 " and should be at most 1e36");
+}
+
 }  // namespace
 
 IrradianceMap::IrradianceMap(const EnvironmentMap& environment) : grid_(columns + 1, rows + 1) {
+    require_finite_integrals(environment);
     const SolidTexels texels(environment, columns, rows);
     std::vector<SineCosine> azimuths;
     for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(texels.azimuth(i));

@@ -131,11 +131,13 @@ Color shade_known_light(const Scene& scene, const Hit& hit, const CosineRule& ru
     const std::size_t n = rule.weight.size();
     Samples samples;
     Color visible, all;
+    bool shadowed = false;
     for (std::size_t begin = 0; begin < n; begin += batch) {
         const std::size_t count = std::min(batch, n - begin);
         find_directions(rule, begin, padded(count), frame, samples);
         find_visible(padded(count), scene, hit, samples);
-        if (n <= batch && std::count(samples.visible, samples.visible + n, 0.0f) == 0) return reflect(hit, irradiance);
+        shadowed = shadowed || std::count(samples.visible, samples.visible + count, 0.0f) > 0;
+        if (!shadowed && begin + count == n) return reflect(hit, irradiance);
         find_texels(padded(count), rule.columns.data() + begin, rule.rows.data() + begin, samples);
         for (std::size_t i = 0; i < count; ++i) {
             const float* rgb = rule.rgb[begin + i] + 3 * static_cast<std::ptrdiff_t>(samples.texel[i]);
