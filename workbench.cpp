@@ -74,7 +74,8 @@ Request parse(int argc, char** argv) {
     try {
         const std::vector<std::string> rest = parse_options(argc - named, argv + named, options);
         if (!request.help && !rest.empty())
-            throw UsageError("unexpected argument '" + rest[0] + "'; a command comes first, options begin with --");
+            throw UsageError("unexpected argument '" + rest[0] +
+                             "'; a command comes first, then at most one file, and options begin with --");
     } catch (const UsageError& error) {
         throw UsageError((named ? request.command.name + ": " : "") + error.what());
     }

@@ -101,6 +101,8 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named" * d
     CHECK(contains(mistake(changed([&](int x, int y) { return image(side - 1 - x, y); })), "mirrored"));
     CHECK(contains(mistake(changed([&](int x, int y) { return shows_object(x, y) ? image(x, y) : Color{}; })),
                    "background is black"));
+    CHECK(contains(mistake(changed([&](int x, int y) { return image(shows_object(x, y) ? x : (x + 1) % side, y); })),
+                   "the environment is looked up beside the place"));
     CHECK(contains(mistake(changed([&](int x, int y) {
                        const Color c = image(x, y);
                        return Color{srgb_decoded(c.x), srgb_decoded(c.y), srgb_decoded(c.z)};
@@ -164,6 +166,38 @@ TEST_CASE("numbers that are common each, but not together, are found" * doctest:
         CHECK_MESSAGE(judgement.fits(name), name);
     CHECK(!judgement.fits("together"));
     CHECK(contains(judgement.mistake, "turned one by one"));
+}
+
+TEST_CASE("a picture is judged though its model refuses other numbers of samples" * doctest::test_suite("long")) {
+    RenderSettings settings = settings_of(Method::pool, 10);
+    settings.noise = 0;
+    const SquaredExponential covariance(1);
+    CHECK_THROWS_AS(render(sphere_scene(), desert(), covariance,
+                           [&] {
+                               RenderSettings more = settings;
+                               more.samples = 160;
+                               return more;
+                           }()),
+                    NotPositiveDefinite);
+    const Image image = render(sphere_scene(), desert(), covariance, settings);
+    CHECK(judge_picture(written(image), desert(), covariance, settings).fits());
+}
+
+TEST_CASE("one rule that meets a small sun or does not makes pictures of two kinds, both correct" *
+          doctest::test_suite("long")) {
+    std::vector<float> rgb(3 * 1024 * 512, 0.5f);
+    for (std::size_t i = 0; i < 3; ++i) rgb[3 * (120 * 1024 + 160) + i] = 1000;
+    const EnvironmentMap sun(1024, 512, rgb);
+    double rmse[2];
+    for (const std::uint64_t seed : {5u, 6u}) {
+        RenderSettings settings = settings_of(Method::rotated);
+        settings.seed = seed;
+        const Image image = render(sphere_scene(), sun, Sobolev(), settings);
+        const PictureJudgement judgement = judge_picture(written(image, true), sun, Sobolev(), settings);
+        CHECK(judgement.fits());
+        rmse[seed - 5] = judgement.quantities[1].here;
+    }
+    CHECK(rmse[1] > 50 * rmse[0]);
 }
 
 TEST_CASE("a picture too small to judge, and an environment without light, are refused") {

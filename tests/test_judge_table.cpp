@@ -95,6 +95,8 @@ TEST_CASE("rows that are none of an error table are named") {
                          std::runtime_error);
     CHECK_THROWS_WITH_AS(judged({{1, {10.5, 0.1, 0.1}}}),
                          "line 1: 10.5 samples; a whole number from 1 to 1000 can be judged", std::runtime_error);
+    CHECK_THROWS_WITH_AS(judged({{1, {10, 0.1, 0.1}}, {2, {20, 0.1, 0.1}}, {5, {10, 0.1, 0.1}}}),
+                         "line 5: 10 samples a second time; leave one table in the file", std::runtime_error);
     CHECK_THROWS_AS(judged({{1, {0, 0.1, 0.1}}}), std::runtime_error);
     CHECK_THROWS_AS(judged({{1, {1001, 0.1, 0.1}}}), std::runtime_error);
 }

@@ -86,6 +86,14 @@ TEST_CASE("a PFM of either byte order is read, its bottom row first") {
     CHECK(big.image(0, 0).x == 0.5);
 }
 
+TEST_CASE("a picture of 8 bits that was widened to 16 is one of 8 bits") {
+    const Picture wide = read("P3 1 1 65535\n0 25700 65535"), narrow = read("P3 1 1 255\n0 100 255");
+    CHECK(wide.maxval == 255);
+    CHECK(equal(wide.image, narrow.image));
+    CHECK(read("P3 1 1 65535\n0 25700 65534").maxval == 65535);
+    CHECK(read("P3 1 1 514\n0 257 514").maxval == 514);
+}
+
 TEST_CASE("what is no picture is refused in one line that says what is wrong") {
     for (const std::string text : {"", "P", "P5 1 1 255\n1", "Pf\n1 1\n1\n1234", "#?RADIANCE\n", "\x89PNG\r\n"}) {
         CAPTURE(text);

@@ -64,12 +64,15 @@ TEST_CASE("directions are read with or without values, between white space or co
     CHECK(samples.values == std::vector<double>{2.5, -1000, 7});
     CHECK(read("0 1 0\n1 0 0\n").values.empty());
     CHECK(read("0.8000008 0.6 0\n").directions.size() == 1);
+    CHECK(read("0,1,0\n0, 1, 0\n0, .6,.8\n").directions.size() == 3);
 }
 
 TEST_CASE("a line that is no direction is named") {
     CHECK_THROWS_WITH_AS(read("0 1 0\n\n0 1 x\n"), "line 3: 'x' is not a number; a comment begins with #",
                          std::runtime_error);
     CHECK_THROWS_WITH_AS(read("0 1 nan\n"), "line 1: 'nan' is not a number; a comment begins with #",
+                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(read("0 1 0\n0,6 0,8 0\n"), "line 2: its commas seem to be decimal ones; write points",
                          std::runtime_error);
     CHECK_THROWS_WITH_AS(read("0 1 0\n0 1 0 5\n"),
                          "line 2: 4 numbers; every line should be x y z, or every line x y z value",

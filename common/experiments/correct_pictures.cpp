@@ -27,10 +27,6 @@ double from_log_odds(double t) {
 // Away from the seeds that pictures to be judged are made with.
 constexpr std::uint64_t first_seed = 1000000;
 
-std::string options_of(const RenderSettings& settings) {
-    return line("--method %s --samples %zu", name_of(settings.method, method_names), settings.samples);
-}
-
 // A large pool in place of a process for each pixel: its pictures have the same numbers.
 RenderSettings cheaper(RenderSettings settings) {
     if (settings.method != Method::direct) return settings;
@@ -80,6 +76,11 @@ bool shares_one_rule(const RenderSettings& settings) {
            (settings.method == Method::mc && is_lattice(settings.placement));
 }
 
+std::string options_of(const RenderSettings& settings) {
+    return line("--method %s --samples %zu", name_of(settings.method, method_names), settings.samples) +
+           (settings.method == Method::pool ? line(" --pool %zu", settings.pool) : "");
+}
+
 std::vector<Candidate> candidates_for(const RenderSettings& settings) {
     std::vector<Candidate> candidates = {{options_of(settings), settings}};
     std::vector<std::size_t> counts{10, 20, 40, 80, 160, settings.samples};
@@ -93,7 +94,9 @@ std::vector<Candidate> candidates_for(const RenderSettings& settings) {
             if (method != settings.method || samples != settings.samples)
                 candidates.push_back({options_of(chosen), chosen});
         }
-    candidates.push_back({options_of(settings) + ", the pool not turned", settings, false});
+    RenderSettings unturned = settings;
+    unturned.pool = std::min<std::size_t>(settings.pool, 50);  // of as many pictures is each that is not turned made
+    candidates.push_back({options_of(settings) + ", the pool not turned", unturned, false});
     return candidates;
 }
 
@@ -101,7 +104,7 @@ Image Studio::dense(RenderSettings settings) {
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = dense_samples;
-    settings.light = nullptr;
+    settings.light = &light_;
     Image image = render(scene_, environment_, covariance_, settings);
     count(static_cast<double>(dense_samples) * settings.width * settings.height);
     return image;
@@ -152,5 +155,5 @@ Image Studio::unturned_pool(RenderSettings settings) const {
 
 void Studio::count(double rays) {
     done_rays_ += rays;
-    if (progress_) progress_(std::min(done_rays_ / all_rays_, 1.0));
+    if (progress_ && done_rays_ < all_rays_) progress_(done_rays_ / all_rays_);
 }

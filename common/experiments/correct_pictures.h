@@ -48,6 +48,9 @@ struct Candidate {
     bool turns = true;  // false: a pool that is not turned
 };
 
+// Of the method, as one would type them.
+std::string options_of(const RenderSettings& settings);
+
 // Whether all pixels share one rule: a picture is then one sample.
 bool shares_one_rule(const RenderSettings& settings);
 
@@ -58,9 +61,13 @@ std::vector<Candidate> candidates_for(const RenderSettings& settings);
 class Studio {
 public:
     Studio(const EnvironmentMap& environment, const Covariance& covariance, int maxval, const Progress& progress)
-        : environment_(environment), covariance_(covariance), maxval_(maxval), progress_(progress) {}
+        : environment_(environment),
+          light_(environment),
+          covariance_(covariance),
+          maxval_(maxval),
+          progress_(progress) {}
 
-    // A dense rule, whose size is that of the settings.
+    // A dense rule that knows the light, so that a sun does not spoil it; its size is that of the settings.
     Image dense(RenderSettings settings);
 
     // The same, clamped where a file is.
@@ -72,6 +79,10 @@ public:
     // About how many rays of a shared rule take the time of one picture; and what the progress is told of.
     static double rays(const Candidate& candidate, int width, int height);
     void expect(double rays) { all_rays_ += rays; }
+    void finish() {
+        done_rays_ = all_rays_;
+        if (progress_) progress_(1);
+    }
 
 private:
     Image picture(const RenderSettings& settings) const;
@@ -80,11 +91,13 @@ private:
 
     const Scene scene_ = sphere_scene();
     const EnvironmentMap& environment_;
+    const PrefilteredEnvironment light_;
     const Covariance& covariance_;
     int maxval_;
     const Progress& progress_;
     double done_rays_ = 0, all_rays_ = 0;
 };
 
-// Leaves an RMSE of 0.0003, where 40 samples of the best method leave 0.005.
+// Leaves an RMSE of 0.0003, where 40 samples of the best method leave 0.005; of 0.02 under the sun of bright-desert,
+// where they leave 0.17.
 constexpr std::size_t dense_samples = 2000;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -16,8 +17,18 @@ namespace {
     throw std::runtime_error("line " + std::to_string(line) + ": " + problem);
 }
 
+// A comma inside a word, though spaces part the words and there is no point.
+bool has_decimal_commas(const std::string& text) {
+    std::istringstream words(text);
+    bool inside = false;
+    std::size_t count = 0;
+    for (std::string word; words >> word; ++count) inside = inside || word.find(',') < word.size() - 1;
+    return inside && count > 1 && text.find('.') == std::string::npos;
+}
+
 std::vector<double> numbers_of(std::string text, std::size_t line) {
     text.erase(std::min(text.find('#'), text.size()));
+    if (has_decimal_commas(text)) fail(line, "its commas seem to be decimal ones; write points");
     std::replace(text.begin(), text.end(), ',', ' ');
     std::istringstream words(text);
     std::vector<double> numbers;
@@ -35,6 +46,7 @@ std::vector<double> numbers_of(std::string text, std::size_t line) {
 void read_input(const std::string& file, const std::function<void(std::istream&)>& read) {
     try {
         if (file == "-") return read(std::cin);
+        if (std::filesystem::is_directory(file)) throw std::runtime_error("this is a directory; name a file");
         std::ifstream in(file, std::ios::binary);
         if (!in) throw std::runtime_error(std::string("cannot open this file: ") + std::strerror(errno));
         read(in);

@@ -20,6 +20,6 @@ struct Row {
 };
 
 // The lines that hold numbers, between white space or commas; what follows a '#' is a comment. Throws
-// std::runtime_error that names the line for what is no finite number, a line of more than 4095 characters, or more
-// rows than max_rows; and if there is no row at all.
+// std::runtime_error that names the line for what is no finite number, decimal commas, a line of more than 4095
+// characters, or more rows than max_rows; and if there is no row at all.
 std::vector<Row> read_rows(std::istream& in, std::size_t max_rows);

@@ -1,16 +1,18 @@
 #include "experiments/judge.h"
 
+#include "experiments/correct_pictures.h"
 #include "experiments/error_table.h"
 #include "experiments/input.h"
 #include "experiments/judge_picture.h"
 #include "experiments/judge_table.h"
 #include "scene/desert.h"
 
+#include <istream>
 #include <optional>
 
 namespace {
 
-std::string picture_report(const PictureJudgement& judgement) {
+std::string picture_report(const PictureJudgement& judgement, const std::string& wanted) {
     std::string text = "# quantity           here     expected       spread   accepted from and to\n", outside;
     for (const Quantity& q : judgement.quantities) {
         text += line("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name, q.here, q.expected, q.spread, q.low, q.high);
@@ -18,6 +20,7 @@ std::string picture_report(const PictureJudgement& judgement) {
     }
     text += line("# The block that errs most is around column %d, row %d.\n", judgement.block_x, judgement.block_y) +
             (judgement.resembles.empty() ? "" : "# The numbers resemble most those of " + judgement.resembles + ".\n");
+    if (judgement.fits() && judgement.resembles != wanted) text += "# But not so much as to tell which it is.\n";
     if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
     return text + "# Verdict: not what correct programs do, by " + outside +
            (judgement.mistake.empty() ? "" : "; likely: " + judgement.mistake) + ".\n";
@@ -59,26 +62,27 @@ Outcome Judge::judge_picture_file(RenderSettings settings, const Covariance& cov
     std::optional<PrefilteredEnvironment> prefiltered;
     if (correct.light_known) settings.light = &prefiltered.emplace(light);
     std::optional<Picture> picture;
-    read_input(file, [&](std::istream& in) { picture = read_picture(in); });
+    read_input(file, [&](std::istream& in) {
+        if (in.peek() != 'P') throw std::runtime_error("neither a PPM nor a PFM; for a table give --integrand NAME");
+        picture = read_picture(in);
+    });
     const PictureJudgement judgement =
         judge_picture(*picture, light, covariance, settings, terminal_progress("workbench"));
     const std::string codes = picture->maxval > 0 ? line("codes to %d", picture->maxval) : "linear floats";
-    return {line("# %d x %d pixels, %s, beside correct ones of --method %s --samples %zu\n", picture->image.width(),
-                 picture->image.height(), codes.c_str(), name_of(settings.method, method_names), settings.samples) +
-                picture_report(judgement),
+    return {line("# %d x %d pixels, %s, beside correct ones of %s\n", picture->image.width(), picture->image.height(),
+                 codes.c_str(), options_of(settings).c_str()) +
+                picture_report(judgement, options_of(settings)),
             judgement.fits() ? 0 : 1};
 }
 
 Outcome Judge::judge_table_file(const RenderSettings& settings, const Covariance& covariance) const {
+    if (correct.light_known) throw UsageError("judge: --known light: an error table has no light to be known");
     const Integrand chosen = integrands_named(integrand).front();
-    std::vector<Row> rows;
-    read_input(file, [&](std::istream& in) { rows = read_rows(in, 1000); });
     TableJudgement judgement;
-    try {
+    read_input(file, [&](std::istream& in) {
+        const std::vector<Row> rows = read_rows(in, 1000);
         judgement = judge_table(rows, chosen, covariance, settings.noise, settings.placement, settings.prior);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(file + ": " + error.what());
-    }
+    });
     return {"# integral of " + chosen.formula +
                 line(" = %.10f, beside means of 100 errors (MC) and of 10 (BMC)\n", chosen.truth) +
                 table_report(judgement),

@@ -85,10 +85,11 @@ std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbe
     return quantities;
 }
 
-// The likeliest of the candidates, and the logarithm of how many times likelier it is than the first.
+// The likeliest of the candidates, the logarithm of how many times likelier it is than the first, and the most that is
+// accepted of it: correct pictures whose numbers are of two kinds, as with and without the sun, have much of it too.
 struct Resemblance {
     Candidate likeliest;
-    double excess;
+    double excess, accepted;
 };
 
 // All candidates would take long at full size. The rays of small pictures are not those of a thinned one, so these have
@@ -101,14 +102,26 @@ Resemblance resemblance(const Image& image, const Truth& truth, const std::vecto
     small.width = thin.image.width();
     small.height = thin.image.height();
     const Truth small_truth = studio.truth(small);
-    const auto unlikely = [&](const Candidate& candidate) {
-        return unlikelihood(here, studio.numbers(candidate, small_truth, candidate_seeds));
+    const std::vector<Numbers> correct = studio.numbers(candidates[0], small_truth, seeds_for(candidates[0].settings));
+    const auto excess_of = [](const Numbers& numbers, const std::vector<Numbers>& first,
+                              const std::vector<Numbers>& others) {
+        return unlikelihood(numbers, first) - unlikelihood(numbers, others);
     };
-    const double first = unlikely(candidates[0]);
-    Resemblance best{candidates[0], 0};
-    for (std::size_t i = 1; i < candidates.size(); ++i) {
-        const double excess = first - unlikely(candidates[i]);
-        if (excess > best.excess) best = {candidates[i], excess};
+    Resemblance best{candidates[0], 0, 10};
+    std::vector<Numbers> best_numbers = correct;
+    for (std::size_t i = 1; i < candidates.size(); ++i) try {
+            std::vector<Numbers> others = studio.numbers(candidates[i], small_truth, candidate_seeds);
+            const double excess = excess_of(here, correct, others);
+            if (excess <= best.excess) continue;
+            best = {candidates[i], excess, 10};
+            best_numbers = std::move(others);
+        } catch (const NotPositiveDefinite&) {
+            // No picture is made with so many samples.
+        }
+    for (std::size_t i = 0; i < correct.size(); ++i) {
+        std::vector<Numbers> rest = correct;
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+        best.accepted = std::max(best.accepted, 10 + excess_of(correct[i], rest, best_numbers));
     }
     return best;
 }
@@ -116,6 +129,9 @@ Resemblance resemblance(const Image& image, const Truth& truth, const std::vecto
 // What the pattern of the errors tells of a picture that should be of the settings but is not; or an empty text.
 std::string mistake_by_pattern(const PictureJudgement& judgement, const Candidate& likeliest,
                                const RenderSettings& settings) {
+    if (!judgement.fits("background") && std::all_of(judgement.quantities.begin() + 1, judgement.quantities.end(),
+                                                     [](const Quantity& quantity) { return quantity.fits(); }))
+        return "the environment is looked up beside the place, or between other centres of texels";
     const auto rmse = std::find_if(judgement.quantities.begin(), judgement.quantities.end(),
                                    [](const Quantity& quantity) { return std::string(quantity.name) == "rmse"; });
     if (rmse->here > 2 * rmse->expected && !judgement.fits("correlation"))
@@ -149,8 +165,9 @@ double rays_for(const std::vector<Candidate>& candidates, int step) {
     const int width = settings.width, height = settings.height;
     double rays = static_cast<double>(dense_samples) * width * height * (1 + 1.0 / (step * step)) +
                   static_cast<double>(seeds_for(settings)) * Studio::rays(candidates[0], width, height);
-    for (const Candidate& candidate : candidates)
-        rays += candidate_seeds * Studio::rays(candidate, width / step, height / step);
+    rays += static_cast<double>(seeds_for(settings)) * Studio::rays(candidates[0], width / step, height / step);
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+        rays += candidate_seeds * Studio::rays(candidates[i], width / step, height / step);
     return rays;
 }
 
@@ -189,10 +206,12 @@ PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& env
 
     const Resemblance best = resemblance(image, truth, candidates, step, studio);
     const bool other_method = best.likeliest.settings.method != settings.method || !best.likeliest.turns;
-    judgement.quantities.push_back({"unlike", other_method ? best.excess : 0, 0, 0, 0, 10});
+    judgement.quantities.push_back({"unlike", other_method ? best.excess : 0, 0, 0, 0, best.accepted});
     judgement.resembles = best.likeliest.name;
+    studio.finish();
     if (judgement.fits()) return judgement;
-    judgement.mistake = likely_mistake(environment, picture.image, maxval, studio.dense(settings), settings.samples);
+    judgement.mistake = likely_mistake(environment, picture.image, maxval, studio.dense(settings), settings.samples,
+                                       judgement.fits("background"));
     if (judgement.mistake.empty())
         judgement.mistake = mistake_by_pattern(judgement, best.likeliest, settings);
     else

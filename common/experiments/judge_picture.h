@@ -26,7 +26,7 @@ struct PictureJudgement {
     // them, alike neighbours, and block, the largest error of the mean over a block of pixels; "together", how far
     // these are from those of correct pictures in standard deviations of all at once. Last "unlike": the logarithm of
     // how many times likelier such numbers are with another method; were the densities exact, a correct picture would
-    // exceed 10 with a probability of at most e^-10 for each of them.
+    // exceed 10 with a probability of at most e^-10 for each of them. Correct pictures that exceed it raise it.
     std::vector<Quantity> quantities;
     int block_x, block_y;   // the centre of that block
     std::string resembles;  // the method whose pictures have such numbers most likely, as options; or empty

@@ -108,7 +108,13 @@ bool Column::fits() const {
 TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const Covariance& covariance,
                            double noise, Placement placement, Prior prior) {
     TableJudgement judgement{{}, {"MC", 100, {}}, {"BMC", 10, {}}};
-    for (const Row& row : rows) judgement.samples.push_back(samples_of(row));
+    for (const Row& row : rows) {
+        const std::size_t n = samples_of(row);
+        if (std::count(judgement.samples.begin(), judgement.samples.end(), n) > 0)
+            throw std::runtime_error(
+                line("line %zu: %zu samples a second time; leave one table in the file", row.line, n));
+        judgement.samples.push_back(n);
+    }
     for (const Row& row : rows) {
         const auto n = static_cast<std::size_t>(row.numbers[0]);
         // Few where Q is large: the time grows as n^3.

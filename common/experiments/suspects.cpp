@@ -164,7 +164,7 @@ std::vector<bool> thinned(const std::vector<bool>& mask, int width, int height, 
 }
 
 std::string likely_mistake(const EnvironmentMap& environment, const Image& picture, int maxval, const Image& truth,
-                           std::size_t samples) {
+                           std::size_t samples, bool background_fits) {
     const Scene scene = sphere_scene();
     const int width = picture.width(), height = picture.height(), step = std::max(1, std::min(width, height) / 100);
     const Image here = thinned(picture, step), right = thinned(truth, step);
@@ -174,5 +174,5 @@ std::string likely_mistake(const EnvironmentMap& environment, const Image& pictu
     add_wrong_integrands(objects, scene, environment, picture, right, step);
     add_wrong_factors(objects, right, mask, samples);
     const std::string name = best_match(whole, right, here, maxval, mask, false);
-    return name.empty() ? best_match(objects, right, here, maxval, mask, true) : name;
+    return name.empty() && background_fits ? best_match(objects, right, here, maxval, mask, true) : name;
 }

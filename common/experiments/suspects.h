@@ -15,8 +15,8 @@
 Image thinned(const Image& image, int step);
 std::vector<bool> thinned(const std::vector<bool>& mask, int width, int height, int step);
 
-// The mistake that makes of the truth what the picture is: in the background, which has no noise, or else in the
-// objects; an empty text if none comes clearly closer than the truth. The truth is not clamped; maxval is that of the
-// picture.
+// The mistake that makes of the truth what the picture is: in the background, which has no noise, or else, if
+// that fits, in the objects; an empty text if none comes clearly closer than the truth. The truth is not clamped;
+// maxval is that of the picture.
 std::string likely_mistake(const EnvironmentMap& environment, const Image& picture, int maxval, const Image& truth,
-                           std::size_t samples);
+                           std::size_t samples, bool background_fits);

@@ -34,9 +34,8 @@ inline bool is_lattice(Placement placement) {
 // A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
 std::vector<Vec3> place_directions(Placement placement, std::size_t n, Random& random);
 
-// Monte Carlo, directions placed in this way: every weight is 2 pi / n if they are uniform. Cosine-distributed
-// directions bring cos(theta) as the known part and weights pi / n: importance sampling of f cos(theta). Lattices:
-// quasi-Monte Carlo.
+// Monte Carlo: n directions placed in this way count alike. Cosine-distributed ones bring cos(theta) as the known part:
+// importance sampling of f cos(theta). Lattices: quasi-Monte Carlo.
 QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Placement placement = Placement::uniform);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess; throws as it does.

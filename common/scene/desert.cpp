@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -163,6 +164,7 @@ EnvironmentMap bright_desert() { return desert(1000); }
 EnvironmentMap load_environment(const std::string& name) {
     if (name.empty()) return built_in_environment();
     if (name == "bright-desert") return bright_desert();
+    if (std::filesystem::is_directory(name)) throw std::runtime_error(name + ": this is a directory; name a .hdr file");
     std::ifstream in(name, std::ios::binary);
     if (!in) throw std::runtime_error(name + ": cannot open this environment: " + std::strerror(errno));
     try {

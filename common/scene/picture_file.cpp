@@ -39,7 +39,7 @@ public:
         const auto values = static_cast<std::size_t>(width_) * 3;
         if (!is_text_) require_one_space();
         for (rows_ = 0; rows_ < height_; ++rows_) is_ppm ? read_codes(values, maxval) : read_floats(values);
-        return {image(!is_ppm), maxval};
+        return {image(!is_ppm), maxval == 65535 && is_widened_ ? 255 : maxval};
     }
 
 private:
@@ -110,6 +110,7 @@ private:
                 if (code > maxval)
                     fail("code " + std::to_string(code) + " exceeds the largest, " + std::to_string(maxval));
             }
+            is_widened_ = is_widened_ && code % 257 == 0;
             rgb_.push_back(decoded_[static_cast<std::size_t>(code)]);
         }
     }
@@ -136,6 +137,7 @@ private:
 
     std::streambuf& bytes_;
     bool is_text_ = false;
+    bool is_widened_ = true;  // every code of 0 to 65535 is one of 0 to 255 times 257
     int width_ = 0, height_ = 0;
     int rows_ = -1;        // that are read; -1: the header is
     int first_byte_ = -1;  // of a float, where 0 is the lowest; -1: no floats

@@ -7,7 +7,8 @@
 
 struct Picture {
     Image image;  // linear radiance
-    int maxval;   // the largest code of a channel, which stands for 1; 0: the file held linear floats
+    int maxval;   // the largest code of a channel, which stands for 1, 255 if those to 65535 are such times 257; 0:
+                  // linear floats
 };
 
 // Reads a picture from a binary stream: PPM, binary (P6) or in words (P3), sRGB with any largest code from 1 to 65535;
