@@ -93,7 +93,7 @@ $(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/%.o $(COMMON)
 LAPACK = $(if $(wildcard /usr/lib/*/libopenblas.so),-lopenblas)
 bench: $(BUILD)/bench
 	OPENBLAS_NUM_THREADS=1 $(BUILD)/bench
-$(BUILD)/bench: CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK)
+$(BUILD)/tests/bench.o: private CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK)
 $(BUILD)/bench: $(BUILD)/tests/bench.o $(COMMON)
 	$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ $(LAPACK) -o $@
 
