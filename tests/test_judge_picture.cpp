@@ -69,13 +69,20 @@ TEST_CASE("pictures of every method are within what correct programs do, as code
 
 TEST_CASE("a program that rounds codes down and shows single texels in the background is correct") {
     const Image image = rendered(Method::pool);
-    const Image other = changed([&](int x, int y) {
-        const Color c = shows_object(x, y) ? image(x, y) : desert().radiance(Camera{side, side}.ray(x, y).direction);
-        const auto down = [](double v) { return srgb_decoded(std::floor(255 * srgb_encoded(v)) / 255); };
-        return Color{down(c.x), down(c.y), down(c.z)};
-    });
-    const PictureJudgement judgement = judged(written(other), Method::pool);
-    for (const Quantity& quantity : judgement.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+    for (const int maxval : {255, 31}) {
+        CAPTURE(maxval);
+        std::string text = "P3 60 60 " + std::to_string(maxval) + '\n';
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const Vec3 direction = Camera{side, side}.ray(x, y).direction;
+                const Color c = shows_object(x, y) ? image(x, y) : desert().radiance(direction);
+                for (const double v : {c.x, c.y, c.z})
+                    text += std::to_string(static_cast<int>(maxval * srgb_encoded(v))) + ' ';
+            }
+        std::istringstream file(text);
+        const PictureJudgement judgement = judged(read_picture(file), Method::pool);
+        for (const Quantity& quantity : judgement.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+    }
 }
 
 TEST_CASE("a wrong factor, geometry or transfer function is found and named" * doctest::test_suite("long")) {

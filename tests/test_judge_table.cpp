@@ -60,6 +60,12 @@ TEST_CASE("errors twice as large or half as large are found in their column") {
     CHECK(twice.bmc.fits());
     CHECK(half.mc.fits());
     CHECK(!half.bmc.fits());
+    std::vector<Row> rows = table(2, 100, 10);
+    for (std::size_t i = 0; i < rows.size(); ++i)  // a sixth, which one cell may be off
+        rows[i].numbers[1] = 7.0 / 6 * judged(rows).mc.cells[i].expected;
+    const Column sixth = judged(rows).mc;
+    CHECK(sixth.scatter() <= sixth.accepted_scatter());
+    CHECK(!sixth.fits());
     CHECK(table_report(half).find("# Verdict: not what correct programs do, by BMC.\n") != std::string::npos);
 }
 
