@@ -263,6 +263,24 @@ TEST_CASE("a known light is rendered exactly by every method from one direction 
     }
 }
 
+TEST_CASE("a grey light that is known stays grey in the shadow") {
+    const EnvironmentMap environment = built_in_environment();
+    std::vector<float> grey;
+    for (int i = 0; i < environment.width() * environment.height(); ++i)
+        grey.insert(grey.end(), 3, environment.texels()[3 * i]);
+    const EnvironmentMap map(environment.width(), environment.height(), grey);
+    const PrefilteredEnvironment light(map);
+    RenderSettings settings = small(Method::pool);
+    settings.light = &light;
+    Scene scene = sphere_scene();
+    scene.rectangle.albedo = scene.sphere.albedo;
+    const Image image = render(scene, map, Sobolev(), settings);
+    int coloured = 0;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) coloured += image(x, y).x != image(x, y).y || image(x, y).x != image(x, y).z;
+    CHECK(coloured == 0);
+}
+
 TEST_CASE("where the light is known nothing is brighter than without shadows, and without light all is black") {
     const EnvironmentMap environment = bright_desert(), black(2, 2, std::vector<float>(12, 0.0f));
     const PrefilteredEnvironment light(environment), darkness(black);
