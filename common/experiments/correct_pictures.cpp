@@ -95,7 +95,7 @@ std::vector<Candidate> candidates_for(const RenderSettings& settings) {
                 candidates.push_back({options_of(chosen), chosen});
         }
     RenderSettings unturned = settings;
-    unturned.pool = std::min<std::size_t>(settings.pool, 50);  // of as many pictures is each that is not turned made
+    unturned.pool = std::min<std::size_t>(settings.pool, 50);  // for each of its pictures so many are rendered
     candidates.push_back({options_of(settings) + ", the pool not turned", unturned, false});
     return candidates;
 }

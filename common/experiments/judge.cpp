@@ -35,7 +35,7 @@ std::vector<Option> Judge::options() {
         {"integrand", "NAME", "the file is the error table of constant, cosine, cosine-cubed or environment",
          [this](const std::string& text) { integrand = parse_name(text); }}};
     std::vector<Option> of_picture = correct.method_options();
-    of_picture.push_back({"environment", "FILE", "the picture's light, in place of the built-in desert",
+    of_picture.push_back({"environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert",
                           [this](const std::string& text) { environment = parse_name(text); }});
     for (Option& option : of_picture) {
         option.idle = [this, idle = option.idle] {

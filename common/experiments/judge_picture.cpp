@@ -109,15 +109,18 @@ Resemblance resemblance(const Image& image, const Truth& truth, const std::vecto
     };
     Resemblance best{candidates[0], 0, 10};
     std::vector<Numbers> best_numbers = correct;
-    for (std::size_t i = 1; i < candidates.size(); ++i) try {
-            std::vector<Numbers> others = studio.numbers(candidates[i], small_truth, candidate_seeds);
-            const double excess = excess_of(here, correct, others);
-            if (excess <= best.excess) continue;
-            best = {candidates[i], excess, 10};
-            best_numbers = std::move(others);
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        std::vector<Numbers> others;
+        try {
+            others = studio.numbers(candidates[i], small_truth, candidate_seeds);
         } catch (const NotPositiveDefinite&) {
-            // No picture is made with so many samples.
+            continue;  // no program makes pictures with so many samples
         }
+        const double excess = excess_of(here, correct, others);
+        if (excess <= best.excess) continue;
+        best = {candidates[i], excess, 10};
+        best_numbers = std::move(others);
+    }
     for (std::size_t i = 0; i < correct.size(); ++i) {
         std::vector<Numbers> rest = correct;
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));

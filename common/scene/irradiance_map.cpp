@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 #include "scene/solid_texels.h"
 
@@ -86,10 +85,8 @@ private:
 
 void require_finite_integrals(const EnvironmentMap& environment) {
     const float* end = environment.texels() + 3 * environment.width() * environment.height();
-    const float largest = *std::max_element(environment.texels(), end);
-    if (largest > 1e36f)
-        throw std::runtime_error("the light is too bright to be known: a radiance is " + std::to_string(largest) +
-                                 " and should be at most 1e36");
+    if (*std::max_element(environment.texels(), end) > 1e36f)
+        throw std::runtime_error("the environment is too bright to be known: a radiance exceeds 1e36");
 }
 
 }  // namespace
