@@ -84,10 +84,10 @@ void bench_parts() {
     const EnvironmentMap environment = built_in_environment();
     const RenderSettings settings = square(500, 40, 1);
     const Image image = render(sphere_scene(), environment, sobolev, settings);
-    const double rules = render_seconds(environment, square(1, settings.samples, 1));
     std::printf("# ./renderer --threads 1, milliseconds: light %.2f, rules %.2f, pixels %.2f, PPM %.2f\n",
-                1e3 * median_seconds([] { sink = built_in_environment().texels()[0]; }), 1e3 * rules,
-                1e3 * (render_seconds(environment, settings) - rules),
+                1e3 * median_seconds([] { sink = built_in_environment().texels()[0]; }),
+                1e3 * render_seconds(environment, square(1, settings.samples, 1)),
+                1e3 * ray_seconds(environment, settings) * rays_of(settings),
                 1e3 * median_seconds([&] { sink = static_cast<double>(to_ppm(image).size()); }));
 }
 

@@ -179,13 +179,9 @@ TEST_CASE("a picture is judged though its model refuses other numbers of samples
     RenderSettings settings = settings_of(Method::pool, 10);
     settings.noise = 0;
     const SquaredExponential covariance(1);
-    CHECK_THROWS_AS(render(sphere_scene(), desert(), covariance,
-                           [&] {
-                               RenderSettings more = settings;
-                               more.samples = 160;
-                               return more;
-                           }()),
-                    NotPositiveDefinite);
+    RenderSettings more = settings;
+    more.samples = 160;
+    CHECK_THROWS_AS(render(sphere_scene(), desert(), covariance, more), NotPositiveDefinite);
     const Image image = render(sphere_scene(), desert(), covariance, settings);
     CHECK(judge_picture(written(image), desert(), covariance, settings).fits());
 }

@@ -109,6 +109,20 @@ ImageError error_of(const Image& image, const Image& truth) {
     return image_error(object_mask(sphere_scene(), truth.width(), truth.height()), image, truth);
 }
 
+// The pixels that are not what an object without shadows reflects of a light that is known.
+int count_inexact(const Scene& scene, const Image& image, const PrefilteredEnvironment& light) {
+    int wrong = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const auto hit = intersect(scene, Camera{image.width(), image.height()}.ray(x, y));
+            if (!hit) continue;
+            const Color all = light.irradiance(hit->normal), here = image(x, y);
+            for (const auto& [value, irradiance] : {std::pair(here.x, all.x), {here.y, all.y}, {here.z, all.z}})
+                wrong += std::fabs(value - 0.8 / pi * irradiance) > 1e-7 * irradiance;  // rounding to float
+        }
+    return wrong;
+}
+
 }  // namespace
 
 TEST_CASE("the directions of a pixel are those that README gives") {
@@ -224,24 +238,6 @@ TEST_CASE("knowing the cosine and placing the samples by it halves the error of 
     const double informed = error_of(render(sphere_scene(), environment, Sobolev(), settings), truth).rmse;
     CHECK(informed / plain < 0.55);
 }
-
-namespace {
-
-// The pixels that are not what an object without shadows reflects of a light that is known.
-int count_inexact(const Scene& scene, const Image& image, const PrefilteredEnvironment& light) {
-    int wrong = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const auto hit = intersect(scene, Camera{image.width(), image.height()}.ray(x, y));
-            if (!hit) continue;
-            const Color all = light.irradiance(hit->normal), here = image(x, y);
-            for (const auto& [value, irradiance] : {std::pair(here.x, all.x), {here.y, all.y}, {here.z, all.z}})
-                wrong += std::fabs(value - 0.8 / pi * irradiance) > 1e-7 * irradiance;  // rounding to float
-        }
-    return wrong;
-}
-
-}  // namespace
 
 TEST_CASE("a known light is rendered exactly by every method from one direction on, where nothing is in the way") {
     std::vector<float> texel(3 * 64 * 32, 0.0f);

@@ -110,9 +110,8 @@ Image Studio::dense(RenderSettings settings) {
     return image;
 }
 
-Truth Studio::truth(const RenderSettings& settings) {
-    const Image image = dense(settings);
-    return {maxval_ > 0 ? clamped(image) : image, object_mask(scene_, settings.width, settings.height)};
+Truth Studio::truth(const Image& dense) const {
+    return {maxval_ > 0 ? clamped(dense) : dense, object_mask(scene_, dense.width(), dense.height())};
 }
 
 std::vector<Numbers> Studio::numbers(const Candidate& candidate, const Truth& truth, std::size_t seeds) {

@@ -70,8 +70,8 @@ public:
     // A dense rule that knows the light, so that a sun does not spoil it; its size is that of the settings.
     Image dense(RenderSettings settings);
 
-    // The same, clamped where a file is.
-    Truth truth(const RenderSettings& settings);
+    // A dense image, clamped where a file is.
+    Truth truth(const Image& dense) const;
 
     // Of so many pictures of the truth's size, each with a seed of its own.
     std::vector<Numbers> numbers(const Candidate& candidate, const Truth& truth, std::size_t seeds);
@@ -79,8 +79,7 @@ public:
     // About how many rays of a shared rule take the time of one picture; and what the progress is told of.
     static double rays(const Candidate& candidate, int width, int height);
     void expect(double rays) { all_rays_ += rays; }
-    void finish() {
-        done_rays_ = all_rays_;
+    void finish() const {
         if (progress_) progress_(1);
     }
 

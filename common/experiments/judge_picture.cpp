@@ -94,15 +94,16 @@ struct Resemblance {
 
 // All candidates would take long at full size. The rays of small pictures are not those of a thinned one, so these have
 // a truth of their own.
-Resemblance resemblance(const Image& image, const Truth& truth, const std::vector<Candidate>& candidates, int step,
-                        Studio& studio) {
+Resemblance resemblance(const Image& image, const Truth& truth, const std::vector<Numbers>& correct_at_full_size,
+                        const std::vector<Candidate>& candidates, int step, Studio& studio) {
     const Truth thin{thinned(truth.image, step), thinned(truth.mask, image.width(), image.height(), step)};
     const Numbers here = thin.numbers(thinned(image, step));
     RenderSettings small = candidates[0].settings;
     small.width = thin.image.width();
     small.height = thin.image.height();
-    const Truth small_truth = studio.truth(small);
-    const std::vector<Numbers> correct = studio.numbers(candidates[0], small_truth, seeds_for(candidates[0].settings));
+    const Truth small_truth = step == 1 ? truth : studio.truth(studio.dense(small));
+    const std::vector<Numbers> correct =
+        step == 1 ? correct_at_full_size : studio.numbers(candidates[0], small_truth, seeds_for(small));
     const auto excess_of = [](const Numbers& numbers, const std::vector<Numbers>& first,
                               const std::vector<Numbers>& others) {
         return unlikelihood(numbers, first) - unlikelihood(numbers, others);
@@ -132,8 +133,9 @@ Resemblance resemblance(const Image& image, const Truth& truth, const std::vecto
 // What the pattern of the errors tells of a picture that should be of the settings but is not; or an empty text.
 std::string mistake_by_pattern(const PictureJudgement& judgement, const Candidate& likeliest,
                                const RenderSettings& settings) {
-    if (!judgement.fits("background") && std::all_of(judgement.quantities.begin() + 1, judgement.quantities.end(),
-                                                     [](const Quantity& quantity) { return quantity.fits(); }))
+    const auto misfits = std::count_if(judgement.quantities.begin(), judgement.quantities.end(),
+                                       [](const Quantity& quantity) { return !quantity.fits(); });
+    if (misfits == 1 && !judgement.fits("background"))
         return "the environment is looked up beside the place, or between other centres of texels";
     const auto rmse = std::find_if(judgement.quantities.begin(), judgement.quantities.end(),
                                    [](const Quantity& quantity) { return std::string(quantity.name) == "rmse"; });
@@ -166,9 +168,12 @@ RenderSettings sized(RenderSettings settings, const Image& picture) {
 double rays_for(const std::vector<Candidate>& candidates, int step) {
     const RenderSettings& settings = candidates[0].settings;
     const int width = settings.width, height = settings.height;
-    double rays = static_cast<double>(dense_samples) * width * height * (1 + 1.0 / (step * step)) +
-                  static_cast<double>(seeds_for(settings)) * Studio::rays(candidates[0], width, height);
-    rays += static_cast<double>(seeds_for(settings)) * Studio::rays(candidates[0], width / step, height / step);
+    const auto of_truth_and_correct = [&](int w, int h) {
+        return static_cast<double>(dense_samples) * w * h +
+               static_cast<double>(seeds_for(settings)) * Studio::rays(candidates[0], w, h);
+    };
+    double rays = of_truth_and_correct(width, height);
+    if (step > 1) rays += of_truth_and_correct(width / step, height / step);
     for (std::size_t i = 1; i < candidates.size(); ++i)
         rays += candidate_seeds * Studio::rays(candidates[i], width / step, height / step);
     return rays;
@@ -194,7 +199,8 @@ PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& env
     Studio studio(environment, covariance, maxval, progress);
     studio.expect(rays_for(candidates, step));
 
-    const Truth truth = studio.truth(settings);
+    const Image dense = studio.dense(settings);
+    const Truth truth = studio.truth(dense);
     const Background background = background_of(picture.image, maxval, truth.image, truth.mask, environment);
     const Image image = maxval > 0 ? unrounded(picture.image, maxval, background.offset) : picture.image;
     const Numbers here = truth.numbers(image);
@@ -207,14 +213,14 @@ PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& env
         quantities_of(here, correct, accepted_deviations(settings), background.differing, background_pixels), block.x,
         block.y, "", ""};
 
-    const Resemblance best = resemblance(image, truth, candidates, step, studio);
+    const Resemblance best = resemblance(image, truth, correct, candidates, step, studio);
     const bool other_method = best.likeliest.settings.method != settings.method || !best.likeliest.turns;
     judgement.quantities.push_back({"unlike", other_method ? best.excess : 0, 0, 0, 0, best.accepted});
     judgement.resembles = best.likeliest.name;
     studio.finish();
     if (judgement.fits()) return judgement;
-    judgement.mistake = likely_mistake(environment, picture.image, maxval, studio.dense(settings), settings.samples,
-                                       judgement.fits("background"));
+    judgement.mistake =
+        likely_mistake(environment, picture.image, maxval, dense, settings.samples, judgement.fits("background"));
     if (judgement.mistake.empty())
         judgement.mistake = mistake_by_pattern(judgement, best.likeliest, settings);
     else

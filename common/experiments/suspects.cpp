@@ -171,8 +171,9 @@ std::string likely_mistake(const EnvironmentMap& environment, const Image& pictu
     const std::vector<bool> mask = thinned(object_mask(scene, width, height), width, height, step);
     std::vector<Suspect> whole, objects;
     add_wrong_pictures(whole, right, mask, maxval);
+    const std::string name = best_match(whole, right, here, maxval, mask, false);
+    if (!name.empty() || !background_fits) return name;
     add_wrong_integrands(objects, scene, environment, picture, right, step);
     add_wrong_factors(objects, right, mask, samples);
-    const std::string name = best_match(whole, right, here, maxval, mask, false);
-    return name.empty() && background_fits ? best_match(objects, right, here, maxval, mask, true) : name;
+    return best_match(objects, right, here, maxval, mask, true);
 }
