@@ -3,13 +3,13 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
-#include "experiments/judge.h"
 #include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
+#include "judge/judge.h"
 
 #include <algorithm>
 

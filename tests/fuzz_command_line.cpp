@@ -3,7 +3,6 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
-#include "experiments/judge.h"
 #include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
@@ -11,6 +10,7 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
+#include "judge/judge.h"
 #include "scene/desert.h"
 #include "scene/render.h"
 

@@ -1,4 +1,4 @@
-#include "experiments/judge_picture.h"
+#include "judge/judge_picture.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/judge_table.h"
+#include "judge/judge_table.h"
 
 #include <doctest/doctest.h>
 

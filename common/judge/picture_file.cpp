@@ -1,4 +1,4 @@
-#include "scene/picture_file.h"
+#include "judge/picture_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "experiments/judge_picture.h"
+#include "judge/judge_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <thread>
 
 #include "experiments/command.h"
-#include "experiments/correct_pictures.h"
-#include "experiments/picture_background.h"
 #include "experiments/picture_error.h"
-#include "experiments/suspects.h"
+#include "judge/background.h"
+#include "judge/correct_pictures.h"
+#include "judge/likely_mistakes.h"
 #include "numerics/cholesky.h"
 
 namespace {

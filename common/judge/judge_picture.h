@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/picture_file.h"
+#include "judge/picture_file.h"
 #include "scene/render.h"
 
 // A number of the picture, the mean and the standard deviation of correct pictures', and the range that is accepted.

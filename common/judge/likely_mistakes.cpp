@@ -1,10 +1,10 @@
-#include "experiments/suspects.h"
+#include "judge/likely_mistakes.h"
 
 #include <algorithm>
 
 #include "experiments/picture_error.h"
+#include "judge/picture_file.h"
 #include "quadrature/hemisphere.h"
-#include "scene/picture_file.h"
 
 using portable::pi;
 

@@ -1,10 +1,10 @@
-#include "experiments/picture_background.h"
+#include "judge/background.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "scene/picture_file.h"
+#include "judge/picture_file.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include "experiments/judge.h"
+#include "judge/judge.h"
 
-#include "experiments/correct_pictures.h"
 #include "experiments/error_table.h"
 #include "experiments/input.h"
-#include "experiments/judge_picture.h"
-#include "experiments/judge_table.h"
+#include "judge/correct_pictures.h"
+#include "judge/judge_picture.h"
+#include "judge/judge_table.h"
 #include "scene/desert.h"
 
 #include <istream>

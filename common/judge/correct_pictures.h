@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/picture_file.h"
+#include "judge/picture_file.h"
 #include "scene/render.h"
 
 // What a picture differs from the truth by: RMSE, brightness, correlation, alike neighbours, largest block error.

@@ -1,4 +1,4 @@
-#include "experiments/correct_pictures.h"
+#include "judge/correct_pictures.h"
 
 #include <algorithm>
 #include <cmath>
