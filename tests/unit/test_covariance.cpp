@@ -22,7 +22,7 @@ struct TableRow {
 
 // 40-digit quadrature that shares nothing with the formulas under test.
 std::vector<TableRow> integral_table() {
-    std::ifstream in("tests/hemisphere_integrals.txt");
+    std::ifstream in("tests/unit/hemisphere_integrals.txt");
     std::vector<TableRow> rows;
     for (std::string line; std::getline(in, line);) {
         if (line[0] == '#') continue;

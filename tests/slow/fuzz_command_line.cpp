@@ -22,10 +22,10 @@
 
 // Whatever the programs include is included above: inside a namespace nothing may be included for the first time.
 namespace renderer_program {
-#include "../renderer.cpp"
+#include "../../renderer.cpp"
 }
 namespace workbench_program {
-#include "../workbench.cpp"
+#include "../../workbench.cpp"
 }
 
 namespace {

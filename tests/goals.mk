@@ -1,0 +1,69 @@
+# Goals beside the programs; tests/README.md says which to make when.
+# make test         every unit test, and the programs' output against tests/output/references
+# make references   rewrites these: only when the output is meant to change
+# make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
+# make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
+# make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists
+# make portability  the output of every compiler and processor that this machine has tools for
+# make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
+# make bench        how fast the hot paths are, beside LAPACK if it is installed
+# make figures      draws the figures of README.md from the programs' output
+# make seconds      measures the times that one of the figures shows: on a quiet machine
+# make format-check whether clang-format would change a source
+
+TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
+.PHONY: doctest test references handout grade mutations portability fuzz bench figures seconds format-check
+
+$(TESTS): | doctest
+doctest:
+	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
+
+$(BUILD)/unit_tests: $(TESTS) $(COMMON)
+	$(call as,LINK $@) $(LINK) -o $@
+
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(BUILD)/common/scene/scene.o
+	$(call as,LINK $@) $(LINK) -o $@
+
+test: all $(BUILD)/unit_tests $(BUILD)/compare
+	BUILD=$(BUILD) BIN=$(BIN) tests/output/run
+
+references: all
+	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite
+
+handout: all
+	BUILD=$(BUILD) BIN=$(BIN) tests/course/handout
+
+SUBMISSION ?= .
+grade:
+	BUILD=$(BUILD) CXX=$(CXX) tests/course/grade "$(SUBMISSION)"
+
+mutations:
+	BUILD=$(BUILD) tests/slow/mutations
+
+portability: all $(BUILD)/compare
+	BUILD=$(BUILD) BIN=$(BIN) tests/slow/portability
+
+FUZZ_SECONDS ?= 60
+FUZZ = $(BUILD)/fuzz
+FUZZERS = fuzz_environment fuzz_picture fuzz_command_line
+fuzz:
+	@tests/require_tool libFuzzer fuzz
+	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
+	    BUILD=$(FUZZ) $(FUZZERS:%=$(FUZZ)/%)
+	FUZZ=$(FUZZ) FUZZ_SECONDS=$(FUZZ_SECONDS) tests/slow/fuzz
+$(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/slow/%.o $(COMMON)
+	$(call as,LINK $@) $(LINK) -fsanitize=fuzzer -o $@
+
+LAPACK = $(if $(wildcard /usr/lib/*/libopenblas.so),-lopenblas)
+bench: $(BUILD)/bench
+	OPENBLAS_NUM_THREADS=1 $(BUILD)/bench
+$(BUILD)/tests/slow/bench.o: private CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK)
+$(BUILD)/bench: $(BUILD)/tests/slow/bench.o $(COMMON)
+	$(call as,LINK $@) $(LINK) $(LAPACK) -o $@
+
+figures seconds: all
+	BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
+
+format-check:
+	@tests/require_tool clang-format format-check
+	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*/*.cpp tests/*/*.h
