@@ -2,20 +2,17 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
-#include "experiments/render_options.h"
+#include "options.h"
 #include "scene/desert.h"
 #include "scene/render.h"
 
 #include <algorithm>
-#include <optional>
 #include <thread>
 
 namespace {
 
 struct Request {
-    RenderOptions options;
-    RenderSettings settings;  // what they say
-    std::unique_ptr<Covariance> covariance;
+    RenderSettings settings;
     std::string environment;  // empty: the built-in one
     bool linear = false;      // PFM instead of PPM
     bool help = false;
@@ -37,7 +34,7 @@ void set_size(RenderSettings& settings, const std::string& text) {
 }
 
 std::vector<Option> picture_options(Request& request) {
-    RenderSettings& settings = request.options.settings;
+    RenderSettings& settings = request.settings;
     return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
              [&](const std::string& text) { set_size(settings, text); }},
             {"environment", "FILE", environment_help,
@@ -49,20 +46,17 @@ std::vector<Option> picture_options(Request& request) {
             {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
 }
 
-std::vector<Option> options_of(Request& request) {
-    std::vector<Option> options;
-    for (std::vector<Option> group :
-         {request.options.method_options(), request.options.model_options(), picture_options(request)})
-        for (Option& option : group) options.push_back(std::move(option));
-    return options;
+std::vector<Option> process_options(Request& request) {
+    const RenderOptions options(request.settings);
+    return joined({options.process, {options.placement, options.seed}});
 }
 
 std::string help_text() {
     Request request;
     return "usage: ./renderer [options] > out.ppm\n\n"
            "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\nmethod:\n" +
-           describe(request.options.method_options()) + "\nGaussian process and its samples:\n" +
-           describe(request.options.model_options()) + "\npicture:\n" + describe(picture_options(request)) +
+           describe(RenderOptions(request.settings).method) + "\nGaussian process and its samples:\n" +
+           describe(process_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
            "\nexamples: ./renderer --method mc > mc.ppm\n"
            "          ./renderer --known light --placement cosine-fibonacci > best.ppm\n";
 }
@@ -70,12 +64,13 @@ std::string help_text() {
 // Throws UsageError.
 Request parse(int argc, char** argv) {
     Request request;
-    request.options.settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    const std::vector<std::string> rest = parse_options(argc, argv, options_of(request));
+    request.settings.threads = std::max(1u, std::thread::hardware_concurrency());
+    const std::vector<std::string> rest = parse_options(
+        argc, argv,
+        joined({RenderOptions(request.settings).method, process_options(request), picture_options(request)}));
     if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
-    request.settings = request.options.chosen();
-    request.covariance = request.options.model.make_covariance();
+    require_possible(request.settings);
     return request;
 }
 
@@ -83,11 +78,7 @@ std::string run(const Request& request) {
     if (request.help) return help_text();
     require_file_output("./renderer > out.ppm");
     const EnvironmentMap environment = load_environment(request.environment);
-    RenderSettings settings = request.settings;
-    std::optional<PrefilteredEnvironment> light;
-    if (request.options.light_known) settings.light = &light.emplace(environment);
-    const Image image =
-        render(sphere_scene(), environment, *request.covariance, settings, terminal_progress("renderer"));
+    const Image image = render(sphere_scene(), environment, request.settings, terminal_progress("renderer"));
     return request.linear ? to_pfm(image) : to_ppm(image);
 }
 

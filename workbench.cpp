@@ -20,7 +20,7 @@ std::vector<Command> commands() {
     return {command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
             command<Rule>("rule", "directions and weights of a rule"),
             command<Judge>("judge", "is another program's output right?"),
-            command<Light>("light", "the built-in light, > desert.hdr"),
+            command<LightFile>("light", "the built-in light, > desert.hdr"),
             command<Known>("known", "what knowing the cosine is worth"),
             command<Tradeoff>("tradeoff", "what accuracy costs"),
             command<Models>("models", "covariances and noise compared"),

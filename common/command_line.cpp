@@ -133,40 +133,29 @@ std::string parse_name(const std::string& text) {
     return text;
 }
 
-std::vector<Option> ModelOptions::options() {
-    return {{"covariance", "NAME", choices(covariance_names, covariance),
-             [this](const std::string& text) { covariance = parse_choice(text, covariance_names); }},
-            {"smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
-             [this](const std::string& text) { smoothness = parse_real(text, 1.001, 1.999); },
-             [this] { return idle_unless(CovarianceFamily::sobolev); }},
-            {"length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
-             [this](const std::string& text) { length_scale = parse_real(text, 0.05, 1e6); },
-             [this] { return idle_unless(CovarianceFamily::squared_exponential); }},
-            {"noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
-             [this](const std::string& text) { noise = parse_real(text, 0, 1000); }},
-            {"known", "NAME",
-             "part of the integrand: " + choices(known_part_names, prior.known) + ", for sobolev with smoothness 1.5",
-             [this](const std::string& text) { prior.known = parse_choice(text, known_part_names); }},
-            {"mean", "NAME",
-             "of the prior: " + choices(prior_mean_names, prior.mean) + ", a uniform light of unknown radiance",
-             [this](const std::string& text) { prior.mean = parse_choice(text, prior_mean_names); }},
-            {"placement", "NAME", "of the directions: " + choices(placement_names, placement),
-             [this](const std::string& text) { placement = parse_choice(text, placement_names); }},
-            {"seed", "K", "of the random numbers (default 1)",
-             [this](const std::string& text) { seed = parse_seed(text); }}};
+Option real_option(const char* name, const char* argument, const char* description, double& value, Range range) {
+    return {name, argument, description,
+            [&value, range](const std::string& text) { value = parse_real(text, range.low, range.high); }};
 }
 
-std::string ModelOptions::idle_unless(CovarianceFamily family) const {
-    if (covariance == family) return "";
-    return std::string("it belongs to --covariance ") + name_of(family, covariance_names);
+Option count_option(const char* name, const char* argument, const char* description, std::size_t& value, long high) {
+    return {name, argument, description, [&value, high](const std::string& text) {
+                value = static_cast<std::size_t>(parse_integer(text, 1, high));
+            }};
 }
 
-std::unique_ptr<Covariance> ModelOptions::make_covariance() const {
-    const bool is_sobolev = covariance == CovarianceFamily::sobolev;
-    if (prior.known == KnownPart::cosine && !(is_sobolev && smoothness == 1.5))
-        throw UsageError(
-            "a known part goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form for it");
-    return ::make_covariance(covariance, is_sobolev ? smoothness : length_scale);
+std::vector<Option> joined(const std::vector<std::vector<Option>>& groups) {
+    std::vector<Option> options;
+    for (const std::vector<Option>& group : groups) options.insert(options.end(), group.begin(), group.end());
+    return options;
+}
+
+Option idle_while(const std::function<std::string()>& reason, Option option) {
+    option.idle = [reason, idle = option.idle] {
+        const std::string why = reason();
+        return why.empty() && idle ? idle() : why;
+    };
+    return option;
 }
 
 int run_program(const char* name, const std::function<Outcome()>& body) {

@@ -1,12 +1,10 @@
 // What the two programs share at their edge: options on getopt_long, errors, exit statuses and standard output.
 #pragma once
 
-#include "quadrature/covariance.h"
-#include "quadrature/quadrature.h"
+#include "numerics/portable_math.h"
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -74,25 +72,24 @@ std::string choices(const std::pair<const char*, T> (&table)[count], T standard)
     return text;
 }
 
-// The options about the Gaussian process and its samples that both programs take.
-struct ModelOptions {
-    CovarianceFamily covariance = CovarianceFamily::sobolev;
-    double smoothness = 1.5;
-    double length_scale = 1;
-    double noise = 0.01;
-    Prior prior;
-    Placement placement = Placement::uniform;
-    std::uint64_t seed = 1;
-
-    std::vector<Option> options();
-    std::unique_ptr<Covariance> make_covariance() const;
-
-private:
-    std::string idle_unless(CovarianceFamily family) const;
+// Options that set a value: the one that a table names, a number from low to high, a whole one from 1 to high.
+template <class T, std::size_t count>
+Option choice_option(const char* name, const std::string& description, const std::pair<const char*, T> (&table)[count],
+                     T& value, const char* remark = "") {
+    return {name, "NAME", description + choices(table, value) + remark,
+            [&](const std::string& text) { value = parse_choice(text, table); }};
+}
+struct Range {
+    double low, high;
 };
+Option real_option(const char* name, const char* argument, const char* description, double& value, Range range);
+Option count_option(const char* name, const char* argument, const char* description, std::size_t& value, long high);
 
-// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
-constexpr long max_process_samples = 4096;
+// The options of all groups.
+std::vector<Option> joined(const std::vector<std::vector<Option>>& groups);
+
+// The option, which changes nothing where there is a reason.
+Option idle_while(const std::function<std::string()>& reason, Option option);
 
 // What a program prints to stdout, and its exit status: 1 tells a script that something was found wrong.
 struct Outcome {

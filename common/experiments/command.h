@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "command_line.h"
+#include "options.h"
 
 struct Command {
     std::string name;     // empty: what the workbench does without a command

@@ -52,7 +52,7 @@ void add_rival_error(ErrorRow& row, const Integrand& integrand, const Covariance
     double sum = 0;
     try {
         for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-            const std::vector<Vec3> directions = estimate_directions(settings.placement, row.samples, settings.seed, e);
+            const std::vector<Vec3> directions = estimate_directions(settings, row.samples, e).directions;
             const GaussianProcess process(rival, settings.noise, directions);
             sum += std::fabs(process.integral(sample(integrand, directions)) - integrand.truth);
         }
@@ -69,13 +69,12 @@ ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, con
                    std::size_t n) {
     ErrorRow row{n, 0, 0, 0, 0};
     for (std::size_t e = 0; e < std::max(settings.mc_estimates, settings.bmc_estimates); ++e) {
-        const std::vector<Vec3> directions = estimate_directions(settings.placement, n, settings.seed, e);
+        const DirectionSet set = estimate_directions(settings, n, e);
         if (e < settings.mc_estimates)
-            row.mc_error +=
-                std::fabs(apply(monte_carlo_rule(directions, settings.placement), integrand) - integrand.truth);
+            row.mc_error += std::fabs(apply(monte_carlo_rule(set), integrand) - integrand.truth);
         if (e >= settings.bmc_estimates) continue;
-        const std::vector<double> values = sample(integrand, directions, settings.prior.known);
-        const GaussianProcess process(covariance, settings.noise, directions, settings.prior);
+        const std::vector<double> values = sample(integrand, set.directions, settings.prior.known);
+        const GaussianProcess process(covariance, settings.noise, set.directions, settings.prior);
         row.bmc_error += std::fabs(process.integral(values) - integrand.truth);
         row.bmc_predicted += process.standard_error(values);
     }
@@ -92,11 +91,12 @@ double ErrorRow::gain() const {
     return mc_error > 0 ? std::numeric_limits<double>::infinity() : 1;
 }
 
-std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& covariance, const Covariance& rival,
-                                  const ErrorSettings& settings) {
+std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings) {
+    const std::unique_ptr<Covariance> covariance = settings.make_covariance();
+    const SquaredExponential rival(settings.length_scale);
     std::vector<ErrorRow> rows;
     for (const std::size_t n : settings.samples) {
-        rows.push_back(error_row(integrand, covariance, settings, n));
+        rows.push_back(error_row(integrand, *covariance, settings, n));
         add_rival_error(rows.back(), integrand, rival, settings);
     }
     return rows;
@@ -125,40 +125,33 @@ std::vector<Integrand> integrands_named(const std::string& name) {
 }
 
 std::vector<Option> ErrorTables::options() {
-    std::vector<Option> options = {
-        {"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
-         [this](const std::string& text) { integrand = parse_name(text); }},
-        {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
-         [this](const std::string& text) { set_samples(settings, text); }},
-        {"mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
-         [this](const std::string& text) {
-             settings.mc_estimates = static_cast<std::size_t>(parse_integer(text, 1, max_estimates));
-         }},
-        {"bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
-         [this](const std::string& text) {
-             settings.bmc_estimates = static_cast<std::size_t>(parse_integer(text, 1, max_estimates));
-         }},
-    };
-    for (Option& option : model.options()) {
-        if (option.name == "length-scale") option.idle = nullptr;  // the column se_error always has one
-        options.push_back(std::move(option));
-    }
-    return options;
+    ModelOptions model(settings);
+    model.length_scale.idle = nullptr;  // the column se_error always has one
+    return {{"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
+             [this](const std::string& text) { integrand = parse_name(text); }},
+            {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
+             [this](const std::string& text) { set_samples(settings, text); }},
+            count_option("mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
+                         settings.mc_estimates, max_estimates),
+            count_option("bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
+                         settings.bmc_estimates, max_estimates),
+            model.covariance,
+            model.smoothness,
+            model.length_scale,
+            model.noise,
+            model.known,
+            model.mean,
+            model.placement,
+            model.seed};
 }
 
 std::string ErrorTables::report() const {
-    ErrorSettings chosen = settings;
-    chosen.placement = model.placement;
-    chosen.noise = model.noise;
-    chosen.prior = model.prior;
-    chosen.seed = model.seed;
     const bool one_sample = std::count(settings.samples.begin(), settings.samples.end(), 1u) > 0;
-    if (model.prior.mean == PriorMean::uniform && one_sample)
+    if (settings.prior.mean == PriorMean::uniform && one_sample)
         throw UsageError("--samples: 1 with --mean uniform leaves no error bar; give at least 2, or --mean zero");
-    const std::unique_ptr<Covariance> covariance = model.make_covariance();
-    const SquaredExponential rival(model.length_scale);
+    require_closed_form(settings);
     std::string text;
     for (const Integrand& each : integrands_named(integrand))
-        text += (text.empty() ? "" : "\n\n") + error_report(each, error_table(each, *covariance, rival, chosen));
+        text += (text.empty() ? "" : "\n\n") + error_report(each, error_table(each, settings));
     return text;
 }

@@ -2,27 +2,22 @@
 // samples.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "experiments/command.h"
 #include "experiments/integrands.h"
-#include "quadrature/covariance.h"
 
-struct ErrorSettings {
+struct ErrorSettings : ModelSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
     std::size_t mc_estimates = 100;
     std::size_t bmc_estimates = 10;
-    Placement placement = Placement::uniform;
-    double noise = 0.01;
-    Prior prior;
-    std::uint64_t seed = 1;
 };
 
-// One number of samples n: mean absolute errors of Monte Carlo, of Bayesian Monte Carlo with the covariance and with
-// the rival covariance, and the mean standard error that the first predicts. What is less than 1e-12 of the truth is
-// rounding and counts as 0, so that a program that multiplies in another order has the same row.
+// One number of samples n: mean absolute errors of Monte Carlo, of Bayesian Monte Carlo and of that
+// with the squared-exponential covariance as a rival, and the mean standard error that the first predicts. What is less
+// than 1e-12 of the truth is rounding and counts as 0, so that a program that multiplies in another order has the same
+// row.
 struct ErrorRow {
     std::size_t samples;
     double mc_error;
@@ -40,8 +35,7 @@ struct ErrorRow {
 
 // The error table of one integrand. Every estimate has a fresh set of directions; estimate e uses the same set in every
 // column, so that the columns differ by method and not by luck.
-std::vector<ErrorRow> error_table(const Integrand& integrand, const Covariance& covariance, const Covariance& rival,
-                                  const ErrorSettings& settings);
+std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings);
 
 // The table as text.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
@@ -53,7 +47,6 @@ std::vector<Integrand> integrands_named(const std::string& name);
 struct ErrorTables {
     std::string integrand;  // empty: all
     ErrorSettings settings;
-    ModelOptions model;
 
     std::vector<Option> options();
     std::string report() const;

@@ -12,7 +12,7 @@ namespace {
 constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
 
 double dense_quadrature(const Integrand& integrand) {
-    return apply(monte_carlo_rule(fibonacci_directions(1 << 18)), integrand);
+    return apply(monte_carlo_rule({Placement::fibonacci, fibonacci_directions(1 << 18)}), integrand);
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& environment) {
@@ -76,7 +76,7 @@ double apply(const QuadratureRule& rule, const Integrand& integrand) {
     return sum;
 }
 
-std::vector<Vec3> estimate_directions(Placement placement, std::size_t n, std::uint64_t seed, std::size_t e) {
-    Random random(seed, (std::uint64_t{n} << 32) + e);
-    return place_directions(placement, n, random);
+DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e) {
+    Random random(settings.seed, (std::uint64_t{n} << 32) + e);
+    return place_directions(settings.placement, n, random);
 }

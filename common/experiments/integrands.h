@@ -4,7 +4,6 @@
 #include "quadrature/quadrature.h"
 #include "scene/environment.h"
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,4 +33,4 @@ double apply(const QuadratureRule& rule, const Integrand& integrand);
 
 // The directions of estimate number e with n samples: the same in every experiment with this placement and seed, so
 // that what they compare differs by method and not by luck.
-std::vector<Vec3> estimate_directions(Placement placement, std::size_t n, std::uint64_t seed, std::size_t e);
+DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e);

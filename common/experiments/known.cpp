@@ -12,7 +12,7 @@ std::string Known::report() const {
         const auto table = [&](Placement placement, Prior prior) {
             settings.placement = placement;
             settings.prior = prior;
-            return error_table(integrand, Sobolev(), SquaredExponential(), settings);
+            return error_table(integrand, settings);
         };
         const Prior cosine{KnownPart::cosine, PriorMean::zero};
         const std::vector<ErrorRow> uniform = table(Placement::uniform, {}),

@@ -3,7 +3,7 @@
 #include "scene/desert.h"
 #include "scene/radiance_hdr.h"
 
-std::string Light::report() const {
+std::string LightFile::report() const {
     require_file_output("./workbench light > desert.hdr");
     return to_radiance_hdr(built_in_environment());
 }

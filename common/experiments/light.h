@@ -6,7 +6,7 @@
 #include "experiments/command.h"
 
 // Writes a Radiance picture (.hdr): other programs can light the sphere scene with it.
-struct Light {
+struct LightFile {
     std::vector<Option> options() { return {}; }
     std::string report() const;
 };

@@ -74,7 +74,7 @@ std::vector<ModelRow> judge(const Model& model, double noise, const std::vector<
                             std::size_t n, std::size_t sets) {
     std::vector<ModelRow> rows(groups.size(), ModelRow{model, noise, 0, 0, 0, 0, 0, 0});
     for (std::size_t set = 0; set < sets; ++set) {
-        const GaussianProcess process(*model.covariance, noise, estimate_directions(Placement::uniform, n, 1, set));
+        const GaussianProcess process(*model.covariance, noise, estimate_directions({}, n, set).directions);
         const Matrix inverse = process.inverse_covariance();
         for (std::size_t group = 0; group < groups.size(); ++group) {
             for (const double weight : process.weights()) rows[group].amplification += std::fabs(weight) / (2 * pi);
@@ -97,7 +97,7 @@ std::vector<ModelRow> judge(const Model& model, double noise, const std::vector<
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets) {
     double squares = 0;
     for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule(estimate_directions(Placement::uniform, n, 1, set));
+        const QuadratureRule rule = monte_carlo_rule(estimate_directions({}, n, set));
         for (const Integrand& integrand : integrands) {
             const double error = apply(rule, integrand) - integrand.truth;
             squares += error * error;
@@ -111,7 +111,7 @@ Bias bias_of(const std::vector<Integrand>& integrands, std::size_t n, std::size_
     const double count = static_cast<double>(sets);
     double sum = 0, squares = 0;
     for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = bayesian_rule(covariance, 1e-2, estimate_directions(Placement::uniform, n, 1, set));
+        const QuadratureRule rule = bayesian_rule(covariance, 1e-2, estimate_directions({}, n, set).directions);
         double estimate = 0, truth = 0;
         for (const Integrand& integrand : integrands) {
             estimate += apply(rule, integrand);

@@ -67,34 +67,35 @@ std::string matrices_report(const Matrix& covariance, const Matrix& inverse) {
 
 std::vector<Option> Rule::options() {
     const auto drawn = [this] { return directions.empty() ? "" : "--directions gives the directions"; };
-    std::vector<Option> options = {
-        {"samples", "N", "directions of the rule (default 40)",
-         [this](const std::string& text) {
-             samples = static_cast<std::size_t>(parse_integer(text, 1, max_process_samples));
-         },
-         drawn},
-        {"directions", "FILE", "in place of drawn ones: x y z or x y z value a line (-: standard input)",
-         [this](const std::string& text) { directions = parse_name(text); }},
-        {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}};
-    for (Option& option : model.options()) {
-        if (option.name == "placement" || option.name == "seed") option.idle = drawn;
-        options.push_back(std::move(option));
-    }
-    return options;
+    const ModelOptions model(settings);
+    return {idle_while(drawn, count_option("samples", "N", "directions of the rule (default 40)", samples,
+                                           max_process_samples)),
+            {"directions", "FILE", "in place of drawn ones: x y z or x y z value a line (-: standard input)",
+             [this](const std::string& text) { directions = parse_name(text); }},
+            {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }},
+            model.covariance,
+            model.smoothness,
+            model.length_scale,
+            model.noise,
+            model.known,
+            model.mean,
+            idle_while(drawn, model.placement),
+            idle_while(drawn, model.seed)};
 }
 
 std::string Rule::report() const {
-    const std::unique_ptr<Covariance> covariance = model.make_covariance();
+    require_closed_form(settings);
     Samples given;
     if (directions.empty()) {
-        Random random(model.seed, 0);
-        given.directions = place_directions(model.placement, samples, random);
+        Random random(settings.seed, 0);
+        given.directions = place_directions(settings.placement, samples, random).directions;
     } else {
         read_input(directions, [&](std::istream& in) { given = read_samples(in); });
     }
-    const GaussianProcess process(*covariance, model.noise, given.directions, model.prior);
-    const std::string text = rule_report(process, model.prior.known, given.values);
+    const std::unique_ptr<Covariance> covariance = settings.make_covariance();
+    const GaussianProcess process(*covariance, settings.noise, given.directions, settings.prior);
+    const std::string text = rule_report(process, settings.prior.known, given.values);
     if (!matrices) return text;
-    return text +
-           matrices_report(covariance_matrix(*covariance, model.noise, given.directions), process.inverse_covariance());
+    return text + matrices_report(covariance_matrix(*covariance, settings.noise, given.directions),
+                                  process.inverse_covariance());
 }

@@ -5,7 +5,7 @@
 #include "numerics/portable_math.h"
 
 #include "experiments/command.h"
-#include "quadrature/gaussian_process.h"
+#include "quadrature/quadrature.h"
 
 #include <iosfwd>
 
@@ -30,7 +30,7 @@ struct Rule {
     std::size_t samples = 40;
     std::string directions;  // a file; empty: drawn
     bool matrices = false;
-    ModelOptions model;
+    ModelSettings settings;
 
     std::vector<Option> options();
     std::string report() const;

@@ -53,10 +53,10 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, bool timed)
         const std::size_t sets = std::max<std::size_t>(10, 4000 / n);
         double mc = 0, bmc = 0;
         for (std::size_t set = 0; set < sets; ++set) {
-            const std::vector<Vec3> directions = estimate_directions(Placement::uniform, n, 1, set);
-            const double mc_error = apply(monte_carlo_rule(directions), integrand) - integrand.truth;
+            const DirectionSet drawn = estimate_directions({}, n, set);
+            const double mc_error = apply(monte_carlo_rule(drawn), integrand) - integrand.truth;
             const double bmc_error =
-                apply(bayesian_rule(covariance, default_noise, directions), integrand) - integrand.truth;
+                apply(bayesian_rule(covariance, default_noise, drawn.directions), integrand) - integrand.truth;
             mc += mc_error * mc_error;
             bmc += bmc_error * bmc_error;
         }
@@ -73,10 +73,10 @@ constexpr int timed_size = 64;
 constexpr int timed_runs = 4;
 
 // Seconds of one rendering on one core, the best of a few.
-double fastest_render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings) {
+double fastest_render(const Scene& scene, const Light& light, const RenderSettings& settings) {
     double fastest = 0;
     for (int run = 0; run < timed_runs; ++run) {
-        const double seconds = seconds_of([&] { render(scene, environment, Sobolev(), settings); });
+        const double seconds = seconds_of([&] { render(scene, light, settings); });
         fastest = run == 0 ? seconds : std::min(fastest, seconds);
     }
     return fastest;
@@ -84,22 +84,20 @@ double fastest_render(const Scene& scene, const EnvironmentMap& environment, con
 
 // The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time,
 // which is that of a picture large enough for the clock, whatever the size of the others.
-double seconds_per_megapixel(const Scene& scene, const EnvironmentMap& environment, RenderSettings settings) {
+double seconds_per_megapixel(const Scene& scene, const Light& light, RenderSettings settings) {
     settings.threads = 1;
     settings.width = settings.height = timed_size;
-    const double whole = fastest_render(scene, environment, settings);
+    const double whole = fastest_render(scene, light, settings);
     settings.width = settings.height = 1;
-    const double rules = fastest_render(scene, environment, settings);
+    const double rules = fastest_render(scene, light, settings);
     return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(scene, timed_size, timed_size);
 }
 
 // Every way to render that is compared, but for the number of samples.
-std::vector<RenderSettings> compared_settings(const PrefilteredEnvironment& light) {
+std::vector<RenderSettings> compared_settings() {
     std::vector<RenderSettings> list;
-    const auto add = [&](Method method, std::size_t pool, Placement placement, Prior prior = {},
-                         const PrefilteredEnvironment* known_light = nullptr) {
+    const auto add = [&](Method method, std::size_t pool, Placement placement, Prior prior = {}) {
         RenderSettings settings;
-        settings.light = known_light;
         settings.method = method;
         settings.pool = pool;
         settings.placement = placement;
@@ -117,8 +115,8 @@ std::vector<RenderSettings> compared_settings(const PrefilteredEnvironment& ligh
         for (const Placement placement : {Placement::uniform, Placement::cosine, Placement::cosine_fibonacci})
             add(Method::pool, 20, placement, {KnownPart::cosine, mean});
     for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci}) {
-        add(Method::mc, 1, placement, {}, &light);
-        add(Method::pool, 20, placement, {KnownPart::cosine, PriorMean::zero}, &light);
+        add(Method::mc, 1, placement, {KnownPart::light, PriorMean::zero});
+        add(Method::pool, 20, placement, {KnownPart::light, PriorMean::zero});
     }
     return list;
 }
@@ -145,12 +143,12 @@ double work_of(const RenderSettings& settings) {
     return static_cast<double>(seeds_of(settings)) * n * (settings.method == Method::direct ? 10 + n / 10 : 1);
 }
 
-PictureCost picture_cost(const Scene& scene, const EnvironmentMap& environment, RenderSettings settings,
-                         const std::vector<bool>& mask, const Image& truth) {
+PictureCost picture_cost(const Scene& scene, const Light& light, RenderSettings settings, const std::vector<bool>& mask,
+                         const Image& truth) {
     const std::uint64_t seeds = seeds_of(settings);
     double squares = 0, fourth_powers = 0, correlation = 0, brightness = 0;
     for (settings.seed = 1; settings.seed <= seeds; ++settings.seed) {
-        const ImageError error = image_error(mask, render(scene, environment, Sobolev(), settings), truth);
+        const ImageError error = image_error(mask, render(scene, light, settings), truth);
         const double squared = error.rmse * error.rmse;
         squares += squared;
         fourth_powers += squared * squared;
@@ -160,10 +158,7 @@ PictureCost picture_cost(const Scene& scene, const EnvironmentMap& environment, 
     // The standard error of the mean square, over the derivative of the square.
     const double count = static_cast<double>(seeds), mean = squares / count, rmse = std::sqrt(mean);
     const double variance = std::max(0.0, fourth_powers / count - mean * mean) / (count - 1);
-    const char* known = settings.light ? "light" : name_of(settings.prior.known, known_part_names);
-    settings.light = nullptr;
     return {settings,
-            known,
             rmse,
             rmse > 0 ? std::sqrt(variance) / (2 * rmse) : 0,
             correlation / count,
@@ -176,6 +171,7 @@ PictureCost picture_cost(const Scene& scene, const EnvironmentMap& environment, 
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int size, bool timed,
                                        const Progress& progress) {
     const Scene scene = sphere_scene();
+    const Light light(environment);
     const auto sized = [&](RenderSettings settings, std::size_t samples) {
         settings.samples = samples;
         settings.width = settings.height = size;
@@ -185,22 +181,21 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, int si
     RenderSettings dense;
     dense.method = Method::mc;
     dense.placement = Placement::fibonacci;
-    const Image truth = render(scene, environment, Sobolev(), sized(dense, 20000));
+    const Image truth = render(scene, light, sized(dense, 20000));
     const std::vector<bool> mask = object_mask(scene, size, size);
     if (!(image_error(mask, truth, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
 
     std::vector<RenderSettings> rows;
-    const PrefilteredEnvironment light(environment);
-    for (const RenderSettings& compared : compared_settings(light))
+    for (const RenderSettings& compared : compared_settings())
         for (const std::size_t samples : {10u, 20u, 40u, 80u, 160u}) rows.push_back(sized(compared, samples));
     double all = 20000, done = 20000;
     for (const RenderSettings& row : rows) all += work_of(row);
     std::vector<PictureCost> costs;
     for (const RenderSettings& row : rows) {
         if (progress) progress(done / all);
-        costs.push_back(picture_cost(scene, environment, row, mask, truth));
-        if (timed) costs.back().seconds_per_megapixel = seconds_per_megapixel(scene, environment, row);
+        costs.push_back(picture_cost(scene, light, row, mask, truth));
+        if (timed) costs.back().seconds_per_megapixel = seconds_per_megapixel(scene, light, row);
         done += work_of(row);
     }
     if (progress) progress(1);
@@ -247,7 +242,7 @@ std::string settings_of(const PictureCost& row) {
     return line("--method %s", name_of(s.method, method_names)) +
            (s.method == Method::pool ? line(" --pool %zu", s.pool) : "") +
            line(" --placement %s", name_of(s.placement, placement_names)) +
-           (std::string(row.known) == "nothing" ? "" : line(" --known %s", row.known)) +
+           (s.prior.known == KnownPart::nothing ? "" : line(" --known %s", name_of(s.prior.known, known_part_names))) +
            (s.prior.mean == PriorMean::uniform ? " --mean uniform" : "") + line(" --samples %zu", s.samples);
 }
 
@@ -271,9 +266,9 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         const PictureCost& mc = classic(rows, row);
         const double gain = squared_ratio(mc.rmse, row.rmse);
         text += line("%-8s %5zu %-16s %-7s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
-                     name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names), row.known,
-                     name_of(s.prior.mean, prior_mean_names), s.samples, row.rmse, row.rmse_error, row.correlation,
-                     row.brightness, static_cast<double>(s.samples) * gain);
+                     name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names),
+                     name_of(s.prior.known, known_part_names), name_of(s.prior.mean, prior_mean_names), s.samples,
+                     row.rmse, row.rmse_error, row.correlation, row.brightness, static_cast<double>(s.samples) * gain);
         if (timed)
             text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
                          gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);

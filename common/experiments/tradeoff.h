@@ -35,8 +35,7 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, bool timed)
 // One method: errors over several seeds, as many as make them the method's and not the seed's. A method that shares
 // rules between pixels has as many independent rules as seeds, not as pixels.
 struct PictureCost {
-    RenderSettings settings;       // but for the averages of a known light, which live no longer
-    const char* known;             // what --known says: nothing, cosine or light
+    RenderSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
     double rmse_error;             // standard error of rmse
     double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds

@@ -104,8 +104,8 @@ Image Studio::dense(RenderSettings settings) {
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = dense_samples;
-    settings.light = &light_;
-    Image image = render(scene_, environment_, covariance_, settings);
+    settings.prior.known = KnownPart::light;
+    Image image = render(scene_, light_, settings);
     count(static_cast<double>(dense_samples) * settings.width * settings.height);
     return image;
 }
@@ -133,7 +133,7 @@ double Studio::rays(const Candidate& candidate, int width, int height) {
 }
 
 Image Studio::picture(const RenderSettings& settings) const {
-    return stored(render(scene_, environment_, covariance_, settings), maxval_);
+    return stored(render(scene_, light_, settings), maxval_);
 }
 
 // Each pixel from one of several pictures of one rule each.

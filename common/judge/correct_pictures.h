@@ -60,12 +60,8 @@ std::vector<Candidate> candidates_for(const RenderSettings& settings);
 // Makes pictures as a file with the largest code maxval keeps them, 0 for floats.
 class Studio {
 public:
-    Studio(const EnvironmentMap& environment, const Covariance& covariance, int maxval, const Progress& progress)
-        : environment_(environment),
-          light_(environment),
-          covariance_(covariance),
-          maxval_(maxval),
-          progress_(progress) {}
+    Studio(const EnvironmentMap& environment, int maxval, const Progress& progress)
+        : light_(environment), maxval_(maxval), progress_(progress) {}
 
     // A dense rule that knows the light, so that a sun does not spoil it; its size is that of the settings.
     Image dense(RenderSettings settings);
@@ -89,9 +85,7 @@ private:
     void count(double rays);
 
     const Scene scene_ = sphere_scene();
-    const EnvironmentMap& environment_;
-    const PrefilteredEnvironment light_;
-    const Covariance& covariance_;
+    const Light light_;
     int maxval_;
     const Progress& progress_;
     double done_rays_ = 0, all_rays_ = 0;

@@ -29,60 +29,50 @@ std::string picture_report(const PictureJudgement& judgement, const std::string&
 }  // namespace
 
 std::vector<Option> Judge::options() {
-    std::vector<Option> options = {
-        {"", "FILE", "a picture (PPM or PFM) or, with --integrand, a table (-: standard input)",
-         [this](const std::string& text) { file = parse_name(text); }},
-        {"integrand", "NAME", "the file is the error table of constant, cosine, cosine-cubed or environment",
-         [this](const std::string& text) { integrand = parse_name(text); }}};
-    std::vector<Option> of_picture = correct.method_options();
+    const RenderOptions render_options(correct);
+    const auto no_picture = [this] { return integrand.empty() ? "" : "an error table has none"; };
+    std::vector<Option> of_picture = render_options.method;
     of_picture.push_back({"environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert",
                           [this](const std::string& text) { environment = parse_name(text); }});
-    for (Option& option : of_picture) {
-        option.idle = [this, idle = option.idle] {
-            if (!integrand.empty()) return std::string("an error table has none");
-            return idle ? idle() : std::string();
-        };
-        options.push_back(std::move(option));
-    }
-    for (Option& option : correct.model_options())
-        if (option.name != "seed") options.push_back(std::move(option));
-    return options;
+    for (Option& option : of_picture) option = idle_while(no_picture, std::move(option));
+    return joined(
+        {{{"", "FILE", "a picture (PPM or PFM) or, with --integrand, a table (-: standard input)",
+           [this](const std::string& text) { file = parse_name(text); }},
+          {"integrand", "NAME", "the file is the error table of constant, cosine, cosine-cubed or environment",
+           [this](const std::string& text) { integrand = parse_name(text); }}},
+         of_picture,
+         render_options.process,
+         {render_options.placement}});
 }
 
 Outcome Judge::report() const {
     if (file.empty()) throw UsageError("judge: name the file to judge, as in ./workbench judge out.ppm");
-    const RenderSettings settings = correct.chosen();
-    const std::unique_ptr<Covariance> covariance = correct.model.make_covariance();
-    return integrand.empty() ? judge_picture_file(settings, *covariance) : judge_table_file(settings, *covariance);
+    require_possible(correct);
+    return integrand.empty() ? judge_picture_file() : judge_table_file();
 }
 
-Outcome Judge::judge_picture_file(RenderSettings settings, const Covariance& covariance) const {
-    if (settings.samples > 1000) throw UsageError("judge: --samples: at most 1000 can be judged");
+Outcome Judge::judge_picture_file() const {
+    if (correct.samples > 1000) throw UsageError("judge: --samples: at most 1000 can be judged");
     const EnvironmentMap light = load_environment(environment);
-    std::optional<PrefilteredEnvironment> prefiltered;
-    if (correct.light_known) settings.light = &prefiltered.emplace(light);
     std::optional<Picture> picture;
     read_input(file, [&](std::istream& in) {
         if (in.peek() != 'P') throw std::runtime_error("neither a PPM nor a PFM; for a table give --integrand NAME");
         picture = read_picture(in);
     });
-    const PictureJudgement judgement =
-        judge_picture(*picture, light, covariance, settings, terminal_progress("workbench"));
+    const PictureJudgement judgement = judge_picture(*picture, light, correct, terminal_progress("workbench"));
     const std::string codes = picture->maxval > 0 ? line("codes to %d", picture->maxval) : "linear floats";
     return {line("# %d x %d pixels, %s, beside correct ones of %s\n", picture->image.width(), picture->image.height(),
-                 codes.c_str(), options_of(settings).c_str()) +
-                picture_report(judgement, options_of(settings)),
+                 codes.c_str(), options_of(correct).c_str()) +
+                picture_report(judgement, options_of(correct)),
             judgement.fits() ? 0 : 1};
 }
 
-Outcome Judge::judge_table_file(const RenderSettings& settings, const Covariance& covariance) const {
-    if (correct.light_known) throw UsageError("judge: --known light: an error table has no light to be known");
+Outcome Judge::judge_table_file() const {
+    if (correct.prior.known == KnownPart::light)
+        throw UsageError("judge: --known light: an error table has no light to be known");
     const Integrand chosen = integrands_named(integrand).front();
     TableJudgement judgement;
-    read_input(file, [&](std::istream& in) {
-        const std::vector<Row> rows = read_rows(in, 1000);
-        judgement = judge_table(rows, chosen, covariance, settings.noise, settings.placement, settings.prior);
-    });
+    read_input(file, [&](std::istream& in) { judgement = judge_table(read_rows(in, 1000), chosen, correct); });
     return {"# integral of " + chosen.formula +
                 line(" = %.10f, beside means of 100 errors (MC) and of 10 (BMC)\n", chosen.truth) +
                 table_report(judgement),

@@ -4,18 +4,17 @@
 #include "numerics/portable_math.h"
 
 #include "experiments/command.h"
-#include "experiments/render_options.h"
 
 struct Judge {
     std::string file;         // the picture or table; "-": standard input
     std::string integrand;    // of the table; empty: the file is a picture
     std::string environment;  // empty: the built-in one
-    RenderOptions correct;    // what correct programs would do
+    RenderSettings correct;   // what correct programs would do
 
     std::vector<Option> options();
     Outcome report() const;  // exit status 0: within what correct programs do; 1: not
 
 private:
-    Outcome judge_picture_file(RenderSettings settings, const Covariance& covariance) const;
-    Outcome judge_table_file(const RenderSettings& settings, const Covariance& covariance) const;
+    Outcome judge_picture_file() const;
+    Outcome judge_table_file() const;
 };

@@ -190,13 +190,13 @@ bool PictureJudgement::fits() const {
     return std::all_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) { return quantity.fits(); });
 }
 
-PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& environment, const Covariance& covariance,
-                               const RenderSettings& wanted, const Progress& progress) {
+PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& environment, const RenderSettings& wanted,
+                               const Progress& progress) {
     const int maxval = picture.maxval;
     const RenderSettings settings = sized(wanted, picture.image);
     const std::vector<Candidate> candidates = candidates_for(settings);
     const int step = std::max(1, std::min(settings.width, settings.height) / 150);
-    Studio studio(environment, covariance, maxval, progress);
+    Studio studio(environment, maxval, progress);
     studio.expect(rays_for(candidates, step));
 
     const Image dense = studio.dense(settings);

@@ -38,5 +38,5 @@ struct PictureJudgement {
 
 // The picture against those of the settings, whose size and seed are not used. Throws std::invalid_argument if too few
 // pixels show an object, or the environment lights none.
-PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& environment, const Covariance& covariance,
+PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& environment,
                                const RenderSettings& settings, const Progress& progress = nullptr);

@@ -105,9 +105,11 @@ bool Column::fits() const {
     return ratio <= factor && ratio >= 1 / factor && scatter() <= accepted_scatter();
 }
 
-TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const Covariance& covariance,
-                           double noise, Placement placement, Prior prior) {
+TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const ModelSettings& settings) {
     TableJudgement judgement{{}, {"MC", 100, {}}, {"BMC", 10, {}}};
+    ModelSettings others = settings;
+    others.seed = 1000000;
+    const std::unique_ptr<Covariance> covariance = settings.make_covariance();
     for (const Row& row : rows) {
         const std::size_t n = samples_of(row);
         if (std::count(judgement.samples.begin(), judgement.samples.end(), n) > 0)
@@ -121,9 +123,10 @@ TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integr
         const std::size_t estimates = std::clamp<std::size_t>(100000 / n, 100, 1000);
         AbsoluteErrors mc, bmc;
         for (std::size_t e = 0; e < estimates; ++e) {
-            const std::vector<Vec3> directions = estimate_directions(placement, n, 1000000, e);
-            mc.add(apply(monte_carlo_rule(directions, placement), integrand) - integrand.truth);
-            bmc.add(apply(bayesian_rule(covariance, noise, directions, prior), integrand) - integrand.truth);
+            const DirectionSet set = estimate_directions(others, n, e);
+            const QuadratureRule rule = bayesian_rule(*covariance, settings.noise, set.directions, settings.prior);
+            mc.add(apply(monte_carlo_rule(set), integrand) - integrand.truth);
+            bmc.add(apply(rule, integrand) - integrand.truth);
         }
         judgement.mc.cells.push_back(cell(row.numbers[1], mc, judgement.mc.estimates));
         judgement.bmc.cells.push_back(cell(row.numbers[2], bmc, judgement.bmc.estimates));

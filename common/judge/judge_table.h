@@ -46,8 +46,7 @@ struct TableJudgement {
 
 // The rows "samples, error of Monte Carlo, error of Bayesian Monte Carlo", whatever follows in them, as means of 100
 // and of 10 estimates. Throws std::runtime_error that names the line for other rows.
-TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const Covariance& covariance,
-                           double noise, Placement placement, Prior prior);
+TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const ModelSettings& settings);
 
 // The judgement as text, to the verdict.
 std::string table_report(const TableJudgement& judgement);

@@ -116,7 +116,7 @@ void Sobolev::covariances(std::vector<double>& squared_chords) const {
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
 void Sobolev::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
-    if (known == KnownPart::cosine) {
+    if (knows_cosine(known)) {
         require_closed_form();
         for (double& element : cos_thetas) element = cosine_integral(element);
         return;
@@ -156,7 +156,7 @@ void Sobolev::require_closed_form() const {
 }
 
 double Sobolev::double_integral(KnownPart known) const {
-    if (known == KnownPart::nothing) return double_integral_;
+    if (!knows_cosine(known)) return double_integral_;
     require_closed_form();
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
@@ -166,7 +166,7 @@ std::string Sobolev::description() const { return "sobolev, smoothness " + in_wo
 namespace {
 
 void require_no_known_part(KnownPart known) {
-    if (known != KnownPart::nothing)
+    if (knows_cosine(known))
         throw std::invalid_argument(
             "the squared-exponential covariance has no closed form with the known part cosine; "
             "take sobolev with smoothness 1.5");

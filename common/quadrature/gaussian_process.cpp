@@ -96,7 +96,7 @@ GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std
 }
 
 void GaussianProcess::add_uniform_light(KnownPart known) {
-    for (const Vec3& direction : directions_) mean_.push_back(known == KnownPart::cosine ? 1 : direction.y);
+    for (const Vec3& direction : directions_) mean_.push_back(knows_cosine(known) ? 1 : direction.y);
     solved_mean_ = cholesky_.solve(mean_);
     mean_information_ = sum_of_products(mean_, solved_mean_);
     const double missing = portable::pi - sum_of_products(mean_, weights_);

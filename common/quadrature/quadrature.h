@@ -5,6 +5,8 @@
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
@@ -17,7 +19,7 @@ struct QuadratureRule {
 };
 
 // p(direction).
-inline double known_part(KnownPart known, Vec3 direction) { return known == KnownPart::cosine ? direction.y : 1; }
+inline double known_part(KnownPart known, Vec3 direction) { return knows_cosine(known) ? direction.y : 1; }
 
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.
@@ -31,13 +33,34 @@ inline bool is_lattice(Placement placement) {
     return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
 }
 
-// A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
-std::vector<Vec3> place_directions(Placement placement, std::size_t n, Random& random);
+struct DirectionSet {
+    Placement placement;
+    std::vector<Vec3> directions;
+};
 
-// Monte Carlo: n directions placed in this way count alike. Cosine-distributed ones bring cos(theta) as the known part:
-// importance sampling of f cos(theta). Lattices: quasi-Monte Carlo.
-QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Placement placement = Placement::uniform);
+// A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
+DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
+
+// Monte Carlo: all directions count alike. Cosine-distributed ones bring cos(theta) as the known part: importance
+// sampling of f cos(theta). Lattices: quasi-Monte Carlo.
+QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess; throws as it does.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                              Prior prior = {});
+
+// What rules are made by, the number of their directions apart: what all experiments have settings for.
+struct ModelSettings {
+    CovarianceFamily covariance = CovarianceFamily::sobolev;
+    double smoothness = 1.5;  // of the family sobolev
+    double length_scale = 1;  // of the other
+    double noise = 0.01;
+    Prior prior;
+    Placement placement = Placement::uniform;
+    std::uint64_t seed = 1;
+
+    // Throws std::invalid_argument as the covariance's constructor does.
+    std::unique_ptr<Covariance> make_covariance() const {
+        return ::make_covariance(covariance, covariance == CovarianceFamily::sobolev ? smoothness : length_scale);
+    }
+};

@@ -12,6 +12,7 @@
 #include "scene/environment.h"
 #include "scene/irradiance_map.h"
 
+#include <optional>
 #include <vector>
 
 // Light as a table of directions, linear RGB: texel i of TexelGrid(columns, rows) is at rgb[3 i].
@@ -23,7 +24,7 @@ struct LightTable {
 
 class PrefilteredEnvironment {
 public:
-    // Takes 19 ms and 1.1 MiB for 1024 x 512 texels. The map must outlive it.
+    // The map must outlive it.
     explicit PrefilteredEnvironment(const EnvironmentMap& map);
     PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;
     PrefilteredEnvironment& operator=(const PrefilteredEnvironment&) = delete;
@@ -43,4 +44,18 @@ private:
     IrradianceMap irradiance_;
     std::vector<std::vector<float>> caps_;
     std::vector<LightTable> tables_;
+};
+
+// The light of a scene: the environment, which must outlive it, and its averages, made when they are first asked for.
+// One thread at a time may ask.
+class Light {
+public:
+    Light(const EnvironmentMap& environment) : environment_(environment) {}
+
+    const EnvironmentMap& environment() const { return environment_; }
+    const PrefilteredEnvironment& averages() const { return averages_ ? *averages_ : averages_.emplace(environment_); }
+
+private:
+    const EnvironmentMap& environment_;
+    mutable std::optional<PrefilteredEnvironment> averages_;
 };

@@ -11,7 +11,7 @@ namespace {
 // The weight of direction i in the integral of L cos(theta), where L is to be sampled: the cosine belongs to the
 // weights unless it is the rule's known part, which its weights have in them.
 double cosine_weight(const QuadratureRule& rule, std::size_t i) {
-    return rule.known == KnownPart::cosine ? rule.weights[i] : rule.weights[i] * rule.directions[i].y;
+    return knows_cosine(rule.known) ? rule.weights[i] : rule.weights[i] * rule.directions[i].y;
 }
 // END SOLUTION
 
@@ -186,11 +186,11 @@ constexpr std::size_t most_fresh_directions = 4096;
 
 class Renderer {
 public:
-    Renderer(const Scene& scene, const EnvironmentMap& environment, const Covariance& covariance,
-             const RenderSettings& settings)
+    Renderer(const Scene& scene, const Light& light, const RenderSettings& settings)
         : scene_(scene),
-          environment_(environment),
-          covariance_(covariance),
+          environment_(light.environment()),
+          averages_(settings.prior.known == KnownPart::light ? &light.averages() : nullptr),
+          covariance_(settings.make_covariance()),
           settings_(settings),
           camera_{settings.width, settings.height} {}
 
@@ -220,13 +220,9 @@ private:
     }
 
     CosineRule fresh_rule(std::size_t samples, Random& random) const {
-        std::vector<Vec3> directions = place_directions(settings_.placement, samples, random);
-        if (settings_.method == Method::mc)
-            return {monte_carlo_rule(std::move(directions), settings_.placement), settings_.light};
-        Prior prior = settings_.prior;
-        if (settings_.light)
-            prior.known = KnownPart::cosine;  // the weights of the visibility, which the light multiplies
-        return {bayesian_rule(covariance_, settings_.noise, std::move(directions), prior), settings_.light};
+        DirectionSet set = place_directions(settings_.placement, samples, random);
+        if (settings_.method == Method::mc) return {monte_carlo_rule(std::move(set)), averages_};
+        return {bayesian_rule(*covariance_, settings_.noise, std::move(set.directions), settings_.prior), averages_};
     }
 
     // BEGIN SOLUTION direct
@@ -284,7 +280,8 @@ private:
 
     const Scene& scene_;
     const EnvironmentMap& environment_;
-    const Covariance& covariance_;
+    const PrefilteredEnvironment* averages_;  // null unless the light is known
+    const std::unique_ptr<Covariance> covariance_;
     const RenderSettings& settings_;
     Camera camera_;
     std::vector<CosineRule> shared_rules_;
@@ -312,13 +309,12 @@ private:
 
 }  // namespace
 
-Image render(const Scene& scene, const EnvironmentMap& environment, const Covariance& covariance,
-             const RenderSettings& settings, const Progress& progress) {
+Image render(const Scene& scene, const Light& light, const RenderSettings& settings, const Progress& progress) {
     const std::optional<Meter> meter = progress ? std::optional(Meter(scene, settings)) : std::nullopt;
     const auto report = [&](std::size_t rules, std::size_t pixels) {
         if (meter && meter->done(rules, pixels) < 1) progress(meter->done(rules, pixels));
     };
-    Renderer renderer(scene, environment, covariance, settings);
+    Renderer renderer(scene, light, settings);
     const std::size_t rules = shared_rule_count(settings);
     for (std::size_t made = 1; made <= rules; ++made) {
         renderer.make_shared_rule();

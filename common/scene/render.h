@@ -8,14 +8,12 @@
 // do.
 #pragma once
 
-#include "quadrature/covariance.h"
 #include "quadrature/quadrature.h"
 #include "scene/environment.h"
 #include "scene/image.h"
 #include "scene/prefiltered_environment.h"
 #include "scene/scene.h"
 
-#include <cstdint>
 #include <functional>
 
 enum class Method {
@@ -31,17 +29,10 @@ constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
                                                            {"rotated", Method::rotated},
                                                            {"pool", Method::pool}};
 
-struct RenderSettings {
+struct RenderSettings : ModelSettings {
     Method method = Method::pool;
-    Placement placement = Placement::uniform;
     std::size_t samples = 40;  // directions per pixel
     std::size_t pool = 20;     // Gaussian processes in the pool
-    double noise = 0.01;
-    Prior prior;
-    // Not null if the environment's light is known, L cos(theta) the known part and the visibility all that is
-    // modelled, by the weights for the known part cos(theta). Averages of the environment that is rendered.
-    const PrefilteredEnvironment* light = nullptr;
-    std::uint64_t seed = 1;
     int width = 500, height = 500;
     unsigned threads = 1;  // changes no bit of the image
 };
@@ -51,5 +42,5 @@ using Progress = std::function<void(double)>;
 
 // The image of linear radiance. Every pixel draws from a random stream of its own.
 // Throws what the Gaussian processes throw.
-Image render(const Scene& scene, const EnvironmentMap& environment, const Covariance& covariance,
-             const RenderSettings& settings, const Progress& progress = nullptr);
+Image render(const Scene& scene, const Light& light, const RenderSettings& settings,
+             const Progress& progress = nullptr);

@@ -38,12 +38,12 @@ RenderSettings square(int size, std::size_t samples, unsigned threads) {
     return settings;
 }
 
-double render_seconds(const EnvironmentMap& environment, const RenderSettings& settings) {
-    return median_seconds([&] { sink = render(sphere_scene(), environment, sobolev, settings)(0, 0).x; });
+double render_seconds(const Light& environment, const RenderSettings& settings) {
+    return median_seconds([&] { sink = render(sphere_scene(), environment, settings)(0, 0).x; });
 }
 
 // The rules are made once, whatever the size: a picture of one pixel tells what they take.
-double ray_seconds(const EnvironmentMap& environment, const RenderSettings& settings) {
+double ray_seconds(const Light& environment, const RenderSettings& settings) {
     const double rules = render_seconds(environment, square(1, settings.samples, 1));
     return (render_seconds(environment, settings) - rules) / rays_of(settings);
 }
@@ -83,7 +83,7 @@ double plain_render_seconds(const EnvironmentMap& environment, const RenderSetti
 void bench_parts() {
     const EnvironmentMap environment = built_in_environment();
     const RenderSettings settings = square(500, 40, 1);
-    const Image image = render(sphere_scene(), environment, sobolev, settings);
+    const Image image = render(sphere_scene(), environment, settings);
     std::printf("# ./renderer --threads 1, milliseconds: light %.2f, rules %.2f, pixels %.2f, PPM %.2f\n",
                 1e3 * median_seconds([] { sink = built_in_environment().texels()[0]; }),
                 1e3 * render_seconds(environment, square(1, settings.samples, 1)),
@@ -114,7 +114,7 @@ void bench_rendering() {
         RenderSettings direct = square(500, 40, threads);
         direct.method = Method::direct;
         std::printf("# method direct, 500x500, 40 samples, %u threads: %.2f s\n", threads,
-                    seconds_of([&] { sink = render(sphere_scene(), environment, sobolev, direct)(0, 0).x; }));
+                    seconds_of([&] { sink = render(sphere_scene(), environment, direct)(0, 0).x; }));
     }
 }
 
@@ -122,9 +122,9 @@ void bench_rendering() {
 // machine's speed drifts.
 void bench_known_light() {
     const EnvironmentMap environment = built_in_environment();
-    const PrefilteredEnvironment light(environment);
+    const Light light(environment);
     std::size_t floats = 3 * 257 * 129;  // of the irradiance
-    for (const LightTable& table : light.tables())
+    for (const LightTable& table : light.averages().tables())
         if (table.rgb != environment.texels()) floats += 3 * static_cast<std::size_t>(table.columns * table.rows);
     std::printf("\n# averages of a known light: %.1f ms, %.1f MiB\n",
                 1e3 * median_seconds([&] {
@@ -134,13 +134,12 @@ void bench_known_light() {
     for (const std::size_t samples : {10u, 40u, 160u}) {
         RenderSettings settings = square(250, samples, 1);
         settings.placement = Placement::cosine_fibonacci;
-        settings.prior.known = KnownPart::cosine;
         std::vector<double> cosine, known;
         for (int run = 0; run < 7; ++run) {
-            settings.light = nullptr;
-            cosine.push_back(ray_seconds(environment, settings));
-            settings.light = &light;
-            known.push_back(ray_seconds(environment, settings));
+            settings.prior.known = KnownPart::cosine;
+            cosine.push_back(ray_seconds(light, settings));
+            settings.prior.known = KnownPart::light;
+            known.push_back(ray_seconds(light, settings));
         }
         const double least = *std::min_element(cosine.begin(), cosine.end());
         const double least_known = *std::min_element(known.begin(), known.end());

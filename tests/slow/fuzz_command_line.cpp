@@ -6,7 +6,6 @@
 #include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
-#include "experiments/render_options.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
@@ -34,7 +33,7 @@ void require(bool condition) {
     if (!condition) std::abort();
 }
 
-void check(const ModelOptions& model) {
+void check(const ModelSettings& model) {
     require(model.smoothness > 1 && model.smoothness < 2);
     require(model.length_scale > 0 && model.length_scale <= 1e6);
     require(model.noise >= 0 && model.noise <= 1000);
@@ -45,8 +44,7 @@ void check(const renderer_program::Request& request) {
     require(settings.samples >= 1 && settings.pool >= 1 && settings.threads >= 1);
     require(settings.width >= 1 && settings.width <= 8192);
     require(settings.height >= 1 && settings.height <= 8192);
-    require(request.help || request.covariance != nullptr);
-    check(request.options.model);
+    check(static_cast<const ModelSettings&>(settings));
 }
 
 // The workbench's own options are in its commands.
@@ -57,12 +55,12 @@ void check(const ErrorTables& tables) {
     require(!settings.samples.empty() && settings.samples.size() <= 1000);
     for (const std::size_t n : settings.samples) require(n >= 1 && n <= 4096);
     require(settings.mc_estimates >= 1 && settings.bmc_estimates >= 1);
-    check(tables.model);
+    check(static_cast<const ModelSettings&>(settings));
 }
 
 void check(const Rule& rule) {
     require(rule.samples >= 1 && rule.samples <= 4096);
-    check(rule.model);
+    check(rule.settings);
 }
 
 void check(const Tradeoff& tradeoff) { require(tradeoff.size >= 2 && tradeoff.size <= 1024); }

@@ -1,21 +1,7 @@
 #include "command_line.h"
 
 #include <doctest/doctest.h>
-
-#include <getopt.h>
-
-namespace {
-
-std::vector<std::string> parse(std::vector<std::string> words, const std::vector<Option>& options) {
-    words.insert(words.begin(), "program");
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    optind = 0;  // a fresh scan
-    return parse_options(static_cast<int>(words.size()), argv.data(), options);
-}
-
-}  // namespace
+#include "parsed_words.h"
 
 TEST_CASE("options take values in both spellings and leave the rest") {
     std::string value;
@@ -84,30 +70,4 @@ TEST_CASE("a choice is one of the names of a table, and the help lists them") {
     CHECK_THROWS_WITH_AS(parse_choice("d", table), "'d' is none of a, b, c", UsageError);
     CHECK(std::string(name_of(3, table)) == "c");
     CHECK(choices(table, 1) == "a (default), b or c");
-}
-
-TEST_CASE("model options make the covariance that they name") {
-    ModelOptions model;
-    CHECK(parse({"--covariance", "squared-exponential", "--length-scale", "0.5"}, model.options()).empty());
-    CHECK((*model.make_covariance())(0.75) == SquaredExponential(0.5)(0.75));
-    CHECK(
-        parse({"--covariance", "sobolev", "--smoothness", "1.3", "--placement", "fibonacci"}, model.options()).empty());
-    CHECK((*model.make_covariance())(0.75) == Sobolev(1.3)(0.75));
-    CHECK(model.placement == Placement::fibonacci);
-    model = {};
-    CHECK(
-        parse({"--known", "cosine", "--mean", "uniform", "--placement", "cosine-fibonacci"}, model.options()).empty());
-    CHECK(model.prior.known == KnownPart::cosine);
-    CHECK(model.prior.mean == PriorMean::uniform);
-    CHECK(model.placement == Placement::cosine_fibonacci);
-    CHECK_NOTHROW(model.make_covariance());
-    model.smoothness = 1.4;
-    CHECK_THROWS_AS(model.make_covariance(), UsageError);
-    model = {};
-    CHECK_THROWS_AS(parse({"--length-scale", "1"}, model.options()), UsageError);
-    CHECK_THROWS_AS(parse({"--covariance", "squared-exponential", "--smoothness", "1.5"}, model.options()), UsageError);
-    model = {};
-    for (const char* bad : {"1", "2", "0", "nan", "1.5x"})
-        CHECK_THROWS_AS(parse({"--smoothness", bad}, model.options()), UsageError);
-    CHECK_THROWS_AS(parse({"--noise", "-1"}, model.options()), UsageError);
 }

@@ -48,8 +48,8 @@ TEST_CASE(
     std::istringstream file(to_radiance_hdr(desert));
     RenderSettings settings;
     settings.width = settings.height = 200;
-    const std::string direct = to_ppm(render(sphere_scene(), desert, Sobolev(), settings));
-    const std::string by_file = to_ppm(render(sphere_scene(), read_radiance_hdr(file), Sobolev(), settings));
+    const std::string direct = to_ppm(render(sphere_scene(), desert, settings));
+    const std::string by_file = to_ppm(render(sphere_scene(), read_radiance_hdr(file), settings));
     REQUIRE(direct.size() == by_file.size());
     std::size_t different = 0;
     for (std::size_t i = direct.size() - 3 * 200 * 200; i < direct.size(); i += 3) {

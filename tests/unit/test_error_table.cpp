@@ -13,7 +13,7 @@ TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
     settings.samples = {40};
     settings.mc_estimates = 4000;
     settings.bmc_estimates = 1;
-    const std::vector<ErrorRow> rows = error_table(practice_integrands()[1], Sobolev(), SquaredExponential(), settings);
+    const std::vector<ErrorRow> rows = error_table(practice_integrands()[1], settings);
     REQUIRE(rows.size() == 1);
     const double expected = std::sqrt(2 / portable::pi) * 2 * portable::pi * std::sqrt(1.0 / 12 / 40);
     CHECK(std::fabs(rows[0].mc_error / expected - 1) < 5 * 0.756 / std::sqrt(4000));
@@ -25,7 +25,7 @@ TEST_CASE("Bayesian Monte Carlo beats Monte Carlo on every integrand that varies
     settings.bmc_estimates = 50;
     for (const Integrand& integrand : practice_integrands()) {
         if (integrand.name == "constant") continue;
-        const std::vector<ErrorRow> rows = error_table(integrand, Sobolev(), SquaredExponential(), settings);
+        const std::vector<ErrorRow> rows = error_table(integrand, settings);
         CHECK(rows[0].gain() > 1);
         CHECK(rows[1].gain() > rows[0].gain());
         CHECK(rows[1].equivalent_mc_samples() == 100 * rows[1].gain() * rows[1].gain());
@@ -36,10 +36,10 @@ TEST_CASE("where the cosine is known, knowing it wins at every number of samples
     const Integrand integrand{"", "", [](Vec3 w) { return w.y * w.y * w.y * w.y; }, 2 * portable::pi / 5};
     ErrorSettings settings;
     settings.bmc_estimates = 100;
-    const std::vector<ErrorRow> nothing = error_table(integrand, Sobolev(), SquaredExponential(), settings);
+    const std::vector<ErrorRow> nothing = error_table(integrand, settings);
     settings.placement = Placement::cosine;
     settings.prior.known = KnownPart::cosine;
-    const std::vector<ErrorRow> cosine = error_table(integrand, Sobolev(), SquaredExponential(), settings);
+    const std::vector<ErrorRow> cosine = error_table(integrand, settings);
     for (std::size_t i = 0; i < cosine.size(); ++i) {
         CHECK(cosine[i].bmc_error < nothing[i].bmc_error);
         CHECK(cosine[i].bmc_error < cosine[i].mc_error);
@@ -65,13 +65,13 @@ TEST_CASE("what is only rounding counts as no error") {
     // cosine, whose predicted error is rounding, too.
     ErrorSettings settings;
     settings.samples = {30};
-    const ErrorRow constant = error_table(practice_integrands()[0], Sobolev(), SquaredExponential(), settings)[0];
+    const ErrorRow constant = error_table(practice_integrands()[0], settings)[0];
     CHECK(constant.mc_error == 0);
     CHECK(constant.gain() == 0);
     CHECK(constant.equivalent_mc_samples() == 0);
     CHECK(constant.bmc_error > 1e-3);
     settings.prior.mean = PriorMean::uniform;
-    const ErrorRow cosine = error_table(practice_integrands()[1], Sobolev(), SquaredExponential(), settings)[0];
+    const ErrorRow cosine = error_table(practice_integrands()[1], settings)[0];
     CHECK(cosine.bmc_error == 0);
     CHECK(cosine.bmc_predicted == 0);
     CHECK(std::isinf(cosine.gain()));
@@ -81,7 +81,8 @@ TEST_CASE("a rival that is refused leaves nan in its column and the reason in a 
     ErrorSettings settings;
     settings.samples = {20, 100};
     settings.noise = 0;
-    const auto table = error_table(practice_integrands()[1], Sobolev(), SquaredExponential(5), settings);
+    settings.length_scale = 5;
+    const auto table = error_table(practice_integrands()[1], settings);
     const std::string report = error_report(practice_integrands()[1], table);
     const auto rows = rows_of(report);
     REQUIRE(rows.size() == 2);

@@ -28,7 +28,7 @@ const EnvironmentMap& desert() {
 }
 
 Image rendered(Method method, std::size_t samples = 40) {
-    return render(sphere_scene(), desert(), Sobolev(), settings_of(method, samples));
+    return render(sphere_scene(), desert(), settings_of(method, samples));
 }
 
 Picture written(const Image& image, bool as_floats = false) {
@@ -37,7 +37,7 @@ Picture written(const Image& image, bool as_floats = false) {
 }
 
 PictureJudgement judged(const Picture& picture, Method method) {
-    return judge_picture(picture, desert(), Sobolev(), settings_of(method));
+    return judge_picture(picture, desert(), settings_of(method));
 }
 
 // Every pixel is that of f(x, y).
@@ -178,12 +178,12 @@ TEST_CASE("numbers that are common each, but not together, are found" * doctest:
 TEST_CASE("a picture is judged though its model refuses other numbers of samples" * doctest::test_suite("long")) {
     RenderSettings settings = settings_of(Method::pool, 10);
     settings.noise = 0;
-    const SquaredExponential covariance(1);
+    settings.covariance = CovarianceFamily::squared_exponential;
     RenderSettings more = settings;
     more.samples = 160;
-    CHECK_THROWS_AS(render(sphere_scene(), desert(), covariance, more), NotPositiveDefinite);
-    const Image image = render(sphere_scene(), desert(), covariance, settings);
-    CHECK(judge_picture(written(image), desert(), covariance, settings).fits());
+    CHECK_THROWS_AS(render(sphere_scene(), desert(), more), NotPositiveDefinite);
+    const Image image = render(sphere_scene(), desert(), settings);
+    CHECK(judge_picture(written(image), desert(), settings).fits());
 }
 
 TEST_CASE("one rule that meets a small sun or does not makes pictures of two kinds, both correct" *
@@ -195,8 +195,8 @@ TEST_CASE("one rule that meets a small sun or does not makes pictures of two kin
     for (const std::uint64_t seed : {5u, 6u}) {
         RenderSettings settings = settings_of(Method::rotated);
         settings.seed = seed;
-        const Image image = render(sphere_scene(), sun, Sobolev(), settings);
-        const PictureJudgement judgement = judge_picture(written(image, true), sun, Sobolev(), settings);
+        const Image image = render(sphere_scene(), sun, settings);
+        const PictureJudgement judgement = judge_picture(written(image, true), sun, settings);
         CHECK(judgement.fits());
         rmse[seed - 5] = judgement.quantities[1].here;
     }
@@ -207,7 +207,7 @@ TEST_CASE("a picture too small to judge, and an environment without light, are r
     CHECK_THROWS_WITH_AS(judged({Image(20, 20), 255}, Method::pool),
                          "20 x 20 pixels are too few to judge: 266 show an object, 500 should", std::invalid_argument);
     const EnvironmentMap night(1, 1, {0, 0, 0});
-    CHECK_THROWS_WITH_AS(judge_picture(written(rendered(Method::mc)), night, Sobolev(), settings_of(Method::mc)),
+    CHECK_THROWS_WITH_AS(judge_picture(written(rendered(Method::mc)), night, settings_of(Method::mc)),
                          "the environment lights no object, so there is nothing to judge; take another",
                          std::invalid_argument);
 }

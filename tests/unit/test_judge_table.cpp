@@ -15,9 +15,7 @@ const std::vector<std::size_t> counts{10, 20, 30, 40, 50, 60};
 
 Integrand cosine() { return practice_integrands()[1]; }
 
-TableJudgement judged(const std::vector<Row>& rows) {
-    return judge_table(rows, cosine(), Sobolev(), 0.01, Placement::uniform, {});
-}
+TableJudgement judged(const std::vector<Row>& rows) { return judge_table(rows, cosine(), {}); }
 
 // A table with so many estimates for a cell, each error multiplied.
 std::vector<Row> table(std::uint64_t seed, std::size_t mc_estimates, std::size_t bmc_estimates, double mc = 1,
@@ -28,7 +26,7 @@ std::vector<Row> table(std::uint64_t seed, std::size_t mc_estimates, std::size_t
     settings.bmc_estimates = bmc_estimates;
     settings.seed = seed;
     std::vector<Row> rows;
-    for (const ErrorRow& row : error_table(cosine(), Sobolev(), SquaredExponential(), settings))
+    for (const ErrorRow& row : error_table(cosine(), settings))
         rows.push_back({rows.size() + 1, {static_cast<double>(row.samples), mc * row.mc_error, bmc * row.bmc_error}});
     return rows;
 }
@@ -87,9 +85,7 @@ TEST_CASE("the report has a row for each of the table, and ends in a verdict") {
 
 TEST_CASE("an integral without error has none in a correct table") {
     const Integrand constant = practice_integrands()[0];
-    const auto mc_fits = [&](double error) {
-        return judge_table({{1, {20, error, 0.2}}}, constant, Sobolev(), 0.01, Placement::uniform, {}).mc.fits();
-    };
+    const auto mc_fits = [&](double error) { return judge_table({{1, {20, error, 0.2}}}, constant, {}).mc.fits(); };
     CHECK(mc_fits(0));
     CHECK(mc_fits(-4e-16));
     CHECK(!mc_fits(0.01));

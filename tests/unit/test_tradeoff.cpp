@@ -14,7 +14,7 @@ TEST_CASE("what a picture costs: the practice's three steps against error correl
         for (const PictureCost& row : rows)
             if (row.settings.method == method && row.settings.pool == pool && row.settings.samples == samples &&
                 row.settings.placement == Placement::uniform && row.settings.prior.mean == PriorMean::zero &&
-                std::string(row.known) == "nothing")
+                row.settings.prior.known == KnownPart::nothing)
                 return row;
         throw std::runtime_error("no such row");
     };

@@ -1,0 +1,67 @@
+#include "options.h"
+
+namespace {
+
+constexpr long max_mc_samples = 1000000;
+
+// Where there is no light that could be known.
+constexpr std::pair<const char*, KnownPart> known_without_light[] = {known_part_names[0], known_part_names[1]};
+
+std::function<std::string()> unless_family(const ModelSettings& settings, CovarianceFamily family) {
+    return [&settings, family] {
+        if (settings.covariance == family) return std::string();
+        return std::string("it belongs to --covariance ") + name_of(family, covariance_names);
+    };
+}
+
+}  // namespace
+
+ModelOptions::ModelOptions(ModelSettings& s)
+    : covariance(choice_option("covariance", "", covariance_names, s.covariance)),
+      smoothness(real_option("smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
+                             s.smoothness, {1.001, 1.999})),
+      length_scale(real_option("length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
+                               s.length_scale, {0.05, 1e6})),
+      noise(real_option("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
+                        s.noise, {0, 1000})),
+      known(choice_option("known", "part of the integrand: ", known_without_light, s.prior.known,
+                          ", for sobolev with smoothness 1.5")),
+      mean(choice_option("mean", "of the prior: ", prior_mean_names, s.prior.mean,
+                         ", a uniform light of unknown radiance")),
+      placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
+      seed{"seed", "K", "of the random numbers (default 1)",
+           [&s](const std::string& text) { s.seed = parse_seed(text); }} {
+    smoothness.idle = unless_family(s, CovarianceFamily::sobolev);
+    length_scale.idle = unless_family(s, CovarianceFamily::squared_exponential);
+}
+
+void require_closed_form(const ModelSettings& settings) {
+    const bool closed = settings.covariance == CovarianceFamily::sobolev && settings.smoothness == 1.5;
+    if (knows_cosine(settings.prior.known) && !closed)
+        throw UsageError(
+            "a known part goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form for it");
+}
+
+RenderOptions::RenderOptions(RenderSettings& s) : placement(ModelOptions(s).placement), seed(ModelOptions(s).seed) {
+    Option known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
+                                 "; the last two for sobolev with smoothness 1.5");
+    const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
+    known.idle = [&s, no_process] { return s.prior.known == KnownPart::light ? "" : no_process(); };
+    const auto no_pool = [&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; };
+    method = {
+        choice_option("method", "", method_names, s.method),
+        count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_mc_samples),
+        idle_while(no_pool, count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))};
+    const ModelOptions model(s);
+    for (const Option& option : {model.covariance, model.smoothness, model.length_scale, model.noise})
+        process.push_back(idle_while(no_process, option));
+    process.push_back(known);
+    process.push_back(idle_while(no_process, model.mean));
+}
+
+void require_possible(const RenderSettings& settings) {
+    if (settings.method != Method::mc && settings.samples > max_process_samples)
+        throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
+                         std::to_string(max_process_samples) + " are allowed for every method but mc");
+    require_closed_form(settings);
+}

@@ -1,0 +1,33 @@
+// The options that both programs take: of a Gaussian process and its samples, and of how a picture is rendered. They
+// set the members of a settings struct, which must stay where it is.
+#pragma once
+
+#include "numerics/portable_math.h"
+
+#include <vector>
+
+#include "command_line.h"
+#include "scene/render.h"
+
+// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
+constexpr long max_process_samples = 4096;
+
+struct ModelOptions {
+    Option covariance, smoothness, length_scale, noise, known, mean, placement, seed;
+
+    explicit ModelOptions(ModelSettings& settings);
+};
+
+// Throws UsageError for a known part with which the covariance has no closed form.
+void require_closed_form(const ModelSettings& settings);
+
+struct RenderOptions {
+    std::vector<Option> method;   // and samples, pool
+    std::vector<Option> process;  // of which Monte Carlo takes only that the light is known
+    Option placement, seed;
+
+    explicit RenderOptions(RenderSettings& settings);
+};
+
+// Throws UsageError for settings that no picture can be rendered by.
+void require_possible(const RenderSettings& settings);

@@ -1,0 +1,53 @@
+#include "options.h"
+
+#include <doctest/doctest.h>
+#include "parsed_words.h"
+
+namespace {
+
+std::vector<std::string> parse_model(std::vector<std::string> arguments, ModelSettings& settings) {
+    const ModelOptions model(settings);
+    return parse(std::move(arguments), {model.covariance, model.smoothness, model.length_scale, model.noise,
+                                        model.known, model.mean, model.placement, model.seed});
+}
+
+}  // namespace
+
+TEST_CASE("model options make the covariance that they name") {
+    ModelSettings settings;
+    CHECK(parse_model({"--covariance", "squared-exponential", "--length-scale", "0.5"}, settings).empty());
+    CHECK((*settings.make_covariance())(0.75) == SquaredExponential(0.5)(0.75));
+    CHECK(
+        parse_model({"--covariance", "sobolev", "--smoothness", "1.3", "--placement", "fibonacci"}, settings).empty());
+    CHECK((*settings.make_covariance())(0.75) == Sobolev(1.3)(0.75));
+    CHECK(settings.placement == Placement::fibonacci);
+    settings = {};
+    CHECK(parse_model({"--known", "cosine", "--mean", "uniform", "--placement", "cosine-fibonacci"}, settings).empty());
+    CHECK(settings.prior.known == KnownPart::cosine);
+    CHECK(settings.prior.mean == PriorMean::uniform);
+    CHECK(settings.placement == Placement::cosine_fibonacci);
+    CHECK_NOTHROW(require_closed_form(settings));
+    settings.smoothness = 1.4;
+    CHECK_THROWS_AS(require_closed_form(settings), UsageError);
+    settings = {};
+    CHECK_THROWS_AS(parse_model({"--length-scale", "1"}, settings), UsageError);
+    CHECK_THROWS_AS(parse_model({"--covariance", "squared-exponential", "--smoothness", "1.5"}, settings), UsageError);
+    settings = {};
+    for (const char* bad : {"1", "2", "0", "nan", "1.5x"})
+        CHECK_THROWS_AS(parse_model({"--smoothness", bad}, settings), UsageError);
+    CHECK_THROWS_AS(parse_model({"--noise", "-1"}, settings), UsageError);
+}
+
+TEST_CASE("only a picture has a light that can be known") {
+    RenderSettings settings;
+    CHECK_THROWS_AS(parse_model({"--known", "light"}, settings), UsageError);
+    CHECK(parse({"--known", "light"}, RenderOptions(settings).process).empty());
+    CHECK(settings.prior.known == KnownPart::light);
+    CHECK(parse({"--method", "mc", "--known", "light"},
+                joined({RenderOptions(settings).method, RenderOptions(settings).process}))
+              .empty());
+    settings.samples = 4097;
+    CHECK_NOTHROW(require_possible(settings));
+    settings.method = Method::pool;
+    CHECK_THROWS_AS(require_possible(settings), UsageError);
+}
