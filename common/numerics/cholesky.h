@@ -4,7 +4,9 @@
 // The factor is kept as U = L^T, row by row. Every element is computed by the rule
 //     u_kj = (a_kj - u_0k u_0j - u_1k u_1j - ... - u_(k-1)k u_(k-1)j) / u_kk,   terms subtracted in that order,
 // with a loop over j innermost: neighbouring j are independent, so the compiler may compute them side by side and no
-// sum is ever reordered. That is why the result has the same bits for any vector width.
+// sum is ever reordered. That is why the result has the same bits for any vector width. A solution subtracts its known
+// elements in the order in which they become known: y_0, y_1, ... for L y = b, and x_(n-1), x_(n-2), ... for U x = y.
+// Dividing by u_kk is multiplying by 1 / u_kk.
 #pragma once
 
 #include "numerics/matrix.h"
@@ -27,6 +29,11 @@ struct NotPositiveDefinite : std::runtime_error {
     double value;
 };
 
+// u_kk: the root of the pivot of row k, where a_kk is the diagonal element of A. Throws NotPositiveDefinite.
+double root_of_pivot(std::size_t k, double pivot, double a_kk);
+
+inline std::size_t cholesky_fast_from = 4;  // rows of the smallest matrix that the fast twin serves
+
 class Cholesky {
 public:
     // Factors the symmetric n x n matrix a, reading its upper triangle only.
@@ -44,8 +51,8 @@ public:
     // x with A x = b. b has n elements.
     std::vector<double> solve(std::vector<double> b) const;
 
-    // A^-1, n x n: column j solves A x = e_j, so that its residual is as small as that of a solution; symmetric but for
-    // rounding.
+    // A^-1, n x n: column j is what solve returns for e_j. By symmetry half of every column would do; but where A is
+    // nearly singular, an inverse whose columns mix several solutions has residuals far above rounding.
     Matrix inverse() const;
 
     // ln det A.

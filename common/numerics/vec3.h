@@ -17,6 +17,7 @@ inline Vec3 operator*(double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline double squared_distance(Vec3 a, Vec3 b) { return dot(a - b, a - b); }
 inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
 
 // The unit vector along v; v must not be zero.

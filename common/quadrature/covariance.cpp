@@ -84,8 +84,8 @@ double mean_sine_power(double p) {
 
 }  // namespace
 
-void Covariance::covariances(std::vector<double>& squared_chords) const {
-    for (double& element : squared_chords) element = (*this)(element);
+void Covariance::covariances(double* squared_chords, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i) squared_chords[i] = (*this)(squared_chords[i]);
 }
 
 void Covariance::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
@@ -107,9 +107,9 @@ double Sobolev::operator()(double squared_chord) const {
     return constant_ - (has_closed_form() ? std::sqrt(squared_chord) : portable::pow(squared_chord, exponent_));
 }
 
-void Sobolev::covariances(std::vector<double>& squared_chords) const {
-    if (!has_closed_form()) return Covariance::covariances(squared_chords);
-    for (double& element : squared_chords) element = constant_ - std::sqrt(element);
+void Sobolev::covariances(double* squared_chords, std::size_t count) const {
+    if (!has_closed_form()) return Covariance::covariances(squared_chords, count);
+    for (std::size_t i = 0; i < count; ++i) squared_chords[i] = constant_ - std::sqrt(squared_chords[i]);
 }
 
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of

@@ -36,10 +36,10 @@ public:
     // Throws std::invalid_argument for a known part with which this covariance has no closed form.
     virtual double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const = 0;
 
-    // The same for arrays, in place: squared chords become covariances, elevation cosines become z. A Gaussian process
-    // spends its time here, and one call for many values lets a covariance of plain arithmetic compute them side by
-    // side.
-    virtual void covariances(std::vector<double>& squared_chords) const;
+    // The same for arrays, in place: count squared chords become covariances, elevation cosines become z. A Gaussian
+    // process spends its time here, and one call for many values lets a covariance of plain arithmetic compute them
+    // side by side.
+    virtual void covariances(double* squared_chords, std::size_t count) const;
     virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const;
 
     // zz. Throws as hemisphere_integral does.
@@ -61,7 +61,7 @@ public:
 
     double operator()(double squared_chord) const override;
     double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
-    void covariances(std::vector<double>& squared_chords) const override;
+    void covariances(double* squared_chords, std::size_t count) const override;
     void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
     std::string description() const override;

@@ -69,18 +69,11 @@ std::vector<double> hemisphere_integrals(const Covariance& covariance, const std
 // Q_ij = k(w_i, w_j) + noise^2 delta_ij. The covariance is a function of the squared chord |w_i - w_j|^2.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
     require_valid(noise, directions);
-    const std::size_t n = directions.size();
-    Matrix q(n, n);
-    std::vector<double> row;
-    for (std::size_t i = 0; i < n; ++i) {
-        row.resize(n - i);
-        for (std::size_t j = i; j < n; ++j) {
-            const Vec3 chord = directions[i] - directions[j];
-            row[j - i] = dot(chord, chord);
-        }
-        covariance.covariances(row);
-        row[0] += noise * noise;
-        std::copy(row.begin(), row.end(), q.row(i) + i);
+    Matrix q(directions.size(), directions.size());
+    for (std::size_t i = 0; i < q.rows(); ++i) {
+        for (std::size_t j = i; j < q.rows(); ++j) q(i, j) = squared_distance(directions[i], directions[j]);
+        covariance.covariances(&q(i, i), q.rows() - i);
+        q(i, i) += noise * noise;
     }
     return q;
 }

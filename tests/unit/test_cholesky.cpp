@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstring>
 
 namespace {
 
@@ -58,7 +59,98 @@ double residual_of_inverse(const Matrix& a) {
     return row_sum_norm(residual) / (DBL_EPSILON * row_sum_norm(a) * row_sum_norm(inverse));
 }
 
+// What becomes of a matrix: the elements of the factor and of the inverse, or the pivot and the text of the refusal.
+struct Outcome {
+    std::vector<double> numbers;
+    std::string text;
+};
+
+Outcome outcome(const Matrix& a, bool plain) {
+    const std::size_t usual = cholesky_fast_from, count = a.rows() * a.rows();
+    cholesky_fast_from = plain ? a.rows() + 1 : 1;
+    Outcome result;
+    try {
+        const Cholesky cholesky(a);
+        const Matrix inverse = cholesky.inverse();
+        result.numbers.assign(cholesky.upper().row(0), cholesky.upper().row(0) + count);
+        result.numbers.insert(result.numbers.end(), inverse.row(0), inverse.row(0) + count);
+    } catch (const NotPositiveDefinite& error) {
+        result = {{static_cast<double>(error.index), error.value}, error.what()};
+    }
+    cholesky_fast_from = usual;
+    return result;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+// Whether the fast twin does with a matrix what the plain text does, bit for bit.
+bool twins_agree(const Matrix& a) {
+    const Outcome plain = outcome(a, true), fast = outcome(a, false);
+    return same_bits(plain.numbers, fast.numbers) && plain.text == fast.text;
+}
+
 }  // namespace
+
+TEST_CASE("the fast twin has the bits of the plain text, for sizes with every remainder and of several blocks") {
+    std::vector<std::size_t> sizes{127, 128, 129, 130, 131, 161, 200, 257, 300};
+    for (std::size_t n = 1; n <= 100; ++n) sizes.push_back(n);
+    for (const std::size_t n : sizes) {
+        Random random(2, n);
+        const std::vector<Vec3> directions = uniform_directions(n, random);
+        CAPTURE(n);
+        CHECK(twins_agree(covariance_matrix(Sobolev(), 0.01, directions)));
+    }
+}
+
+TEST_CASE(
+    "the fast twin has the bits of the plain text where a matrix is nearly singular, and refuses what it refuses") {
+    std::size_t refused = 0;
+    for (const std::size_t n : {5u, 12u, 37u, 65u, 129u, 170u, 260u}) {
+        Random random(3, n);
+        const std::vector<Vec3> directions = uniform_directions(n, random);
+        for (const double noise : {1e-6, 1e-8, 0.0}) {
+            const Matrix q = covariance_matrix(SquaredExponential(1), noise, directions);
+            CAPTURE(n);
+            CAPTURE(noise);
+            CHECK(twins_agree(q));
+            refused += !outcome(q, true).text.empty();
+        }
+    }
+    CHECK(refused >= 5);
+}
+
+TEST_CASE(
+    "the fast twin names the pivot that the plain text names, whichever it is, and the lower triangle is not read") {
+    for (const std::size_t n : {9u, 40u, 175u})
+        for (std::size_t k = 0; k < n; k += n < 100 ? 1 : 13) {
+            Matrix a = random_spd(n, 1);
+            a(k, k) = -1;
+            const Outcome refusal = outcome(a, true);
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t j = 0; j < i; ++j) a(i, j) = std::nan("");
+            CAPTURE(n);
+            CAPTURE(k);
+            CHECK(refusal.numbers[0] == static_cast<double>(k));
+            CHECK(twins_agree(a));
+            CHECK(same_bits(outcome(a, false).numbers, refusal.numbers));
+        }
+}
+
+TEST_CASE("the columns of the inverse are what solve returns for the unit vectors, bit for bit") {
+    for (const Matrix& a : test_matrices()) {
+        const Cholesky cholesky(a);
+        const Matrix inverse = cholesky.inverse();
+        Matrix solved(a.rows(), a.rows());
+        for (std::size_t j = 0; j < a.rows(); ++j) {
+            std::vector<double> e(a.rows());
+            e[j] = 1;
+            solved.set_column(j, cholesky.solve(e));
+        }
+        CHECK(std::memcmp(inverse.row(0), solved.row(0), a.rows() * a.rows() * sizeof(double)) == 0);
+    }
+}
 
 TEST_CASE("cholesky reproduces the matrix: |A - L L^T| / (n eps |A|) < 10, LAPACK's ratio") {
     for (const Matrix& a : test_matrices()) {
