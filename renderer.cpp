@@ -43,6 +43,8 @@ std::vector<Option> picture_options(Request& request) {
              [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
             {"threads", "T", "changes the time only, not the picture (default: all cores)",
              [&](const std::string& text) { settings.threads = static_cast<unsigned>(parse_integer(text, 1, 256)); }},
+            {"plain", "", "the textbook's loops: slower, the same bytes",
+             [&](const std::string&) { settings.plain = true; }},
             {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
 }
 

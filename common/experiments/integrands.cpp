@@ -28,13 +28,10 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& env
 Integrand scene_integrand(const std::shared_ptr<const EnvironmentMap>& environment, const Scene& scene,
                           const Hit& hit) {
     const Frame frame(hit.normal);
-    const RectangleShadow rectangle(scene.rectangle, hit.point);
-    const SphereShadow sphere(scene.sphere, hit.point);
     Integrand integrand{"scene", "L(w) cos(theta) at a point of the scene", nullptr, 0};
-    integrand.value = [=, object = hit.object](Vec3 local) {
+    integrand.value = [=](Vec3 local) {
         const Vec3 direction = frame.to_world(local);
-        const bool shadowed = object == Object::sphere ? rectangle.covers(direction) : sphere.covers(direction);
-        return shadowed ? 0 : dot(luminance, environment->radiance(direction)) * local.y;
+        return is_shadowed(scene, hit, direction) ? 0 : dot(luminance, environment->radiance(direction)) * local.y;
     };
     integrand.truth = dense_quadrature(integrand);
     return integrand;

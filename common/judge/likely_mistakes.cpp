@@ -37,14 +37,12 @@ struct WrongShades {
 WrongShades wrong_shades(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
                          const std::vector<Vec3>& directions) {
     const Frame frame(hit.normal);
-    const RectangleShadow rectangle(scene.rectangle, hit.point);
-    const SphereShadow sphere(scene.sphere, hit.point);
     WrongShades sums;
     for (const Vec3& local : directions) {
         const Vec3 direction = frame.to_world(local);
         const Color light = environment.radiance(direction);
         sums.no_shadow = sums.no_shadow + local.y * light;
-        if (hit.object == Object::sphere ? rectangle.covers(direction) : sphere.covers(direction)) continue;
+        if (is_shadowed(scene, hit, direction)) continue;
         sums.cosine_twice = sums.cosine_twice + local.y * local.y * light;
         sums.no_cosine = sums.no_cosine + light;
     }

@@ -14,6 +14,8 @@ using Color = Vec3;  // linear RGB: radiance, or a unitless albedo
 inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 operator*(double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
+inline Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
+inline Color operator*(Color a, Color b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // channel by channel
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
@@ -22,3 +24,26 @@ inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
 
 // The unit vector along v; v must not be zero.
 inline Vec3 normalize(Vec3 v) { return (1 / length(v)) * v; }
+
+// A ray's direction in the precision that rays have: single for directions and for what is looked up by them, since a
+// processor computes twice as many side by side; double for weights and sums.
+struct Direction {
+    float x, y, z;
+
+    explicit Direction(Vec3 v) : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
+    explicit operator Vec3() const { return {x, y, z}; }
+};
+
+inline Direction operator+(Direction a, Direction b) {
+    a.x += b.x;
+    a.y += b.y;
+    a.z += b.z;
+    return a;
+}
+
+inline Direction operator*(float s, Direction v) {
+    v.x *= s;
+    v.y *= s;
+    v.z *= s;
+    return v;
+}

@@ -41,4 +41,7 @@ struct Frame {
     Frame rotated(double turns) const;
 
     Vec3 to_world(Vec3 local) const { return local.x * tangent + local.y * normal + local.z * bitangent; }
+    Direction to_world(Direction local) const {
+        return local.x * Direction(tangent) + local.y * Direction(normal) + local.z * Direction(bitangent);
+    }
 };

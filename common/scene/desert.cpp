@@ -134,7 +134,9 @@ void paint(Row& row, double y) {
 EnvironmentMap desert(double sunlight) {
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
-    std::vector<float> rgb(3 * width * height);
+    std::vector<float> rgb;
+    rgb.reserve(3 * width * height + EnvironmentMap::beyond);
+    rgb.resize(3 * width * height);
     float* value = rgb.data();
     Row row{};
     for (int j = 0; j < height; ++j) {

@@ -13,6 +13,7 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
         throw std::invalid_argument("environment map of " + size + ": it takes 1 to " + std::to_string(max_texels));
     if (rgb_.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
         throw std::invalid_argument("environment map of " + size + " with " + std::to_string(rgb_.size()) + " values");
+    rgb_.resize(rgb_.size() + beyond);
     for (std::size_t i = 0; i < rgb_.size(); ++i) {
         if (rgb_[i] >= 0 && rgb_[i] <= FLT_MAX) continue;
         const std::size_t columns = static_cast<std::size_t>(width);

@@ -13,8 +13,7 @@
 #include <limits>
 #include <vector>
 
-// The texels of a map of so many columns and rows, apart from their radiance: a loop over directions copies it, so that
-// the compiler need not fear for it when texel indices are stored.
+// The texels of a map of so many columns and rows, apart from their radiance.
 class TexelGrid {
 public:
     TexelGrid(int columns, int rows) : width_(columns), height_(rows) {}
@@ -101,7 +100,9 @@ public:
     int width() const { return grid_.width(); }
     int height() const { return height_; }
 
-    // Linear RGB radiance; texel i is at 3 i, 3 i + 1, 3 i + 2.
+    // Linear RGB radiance; texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as beyond
+    // says: a black texel, for loops that take four floats at a time.
+    static constexpr std::size_t beyond = 4;
     const float* texels() const { return rgb_.data(); }
 
     // How directions fall on the texels.
@@ -109,6 +110,9 @@ public:
 
     // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
     Color radiance(Vec3 direction) const { return texel(grid_.texel_index(direction.x, direction.y, direction.z)); }
+    Color radiance(Direction direction) const {
+        return texel(grid_.texel_index(direction.x, direction.y, direction.z));
+    }
 
     // The same interpolated between the centres of the four nearest texels: for an eye, which would see their edges.
     Color interpolated_radiance(Vec3 direction) const;

@@ -119,6 +119,7 @@ public:
                 const double* light = light_[row * static_cast<std::size_t>(columns_) + column].rgb1;
                 for (int k = 0; k < 3; ++k) rgb.push_back(static_cast<float>(light[k] / light[3] + everywhere.rgb1[k]));
             }
+        rgb.resize(rgb.size() + EnvironmentMap::beyond);
         return rgb;
     }
 

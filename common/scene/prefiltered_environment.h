@@ -1,12 +1,6 @@
-// The light as the known part of the integrand. The environment is given; what a renderer does not know before it
-// traces a ray is the visibility V, 0 or 1. For a Lambertian surface with the normal n
-//     L_o = (albedo / pi) integral over H of V L cos(theta) dw
-//         ~ (albedo / pi) E(n) sum of w_j L_j V_j / sum of w_j L_j,
-// where w_j are the weights of a rule for the known part cos(theta), and L_j the mean of L over the cap around sample j
-// whose solid angle is the sample's own, w_j / cos(theta_j). The quotient makes a constant V exact. Means over the
-// solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance sampling", Computer
-// Graphics Forum 27(4), 2008; tables of them from Kautz, Vazquez, Heidrich & Seidel, "A unified approach to prefiltered
-// environment maps", Eurographics Workshop on Rendering 2000.
+// Means of an environment over caps of several sizes, as tables: what a ray that stands for a cap of directions sees.
+// Kautz, Vazquez, Heidrich & Seidel, "A unified approach to prefiltered environment maps", Eurographics Workshop on
+// Rendering 2000.
 #pragma once
 
 #include "scene/environment.h"
@@ -15,11 +9,18 @@
 #include <optional>
 #include <vector>
 
-// Light as a table of directions, linear RGB: texel i of TexelGrid(columns, rows) is at rgb[3 i].
+// Light as a table of directions, linear RGB: texel i of TexelGrid(columns, rows) is at rgb[3 i],
+// and after them stands what EnvironmentMap::beyond says.
 struct LightTable {
     double solid_angle;  // of the caps that it averages over
     int columns, rows;
     const float* rgb;
+
+    Color radiance(Direction direction) const {
+        const float* texel = rgb + 3 * std::ptrdiff_t{grid().texel_index(direction.x, direction.y, direction.z)};
+        return {texel[0], texel[1], texel[2]};
+    }
+    TexelGrid grid() const { return {columns, rows}; }
 };
 
 class PrefilteredEnvironment {

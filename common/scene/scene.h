@@ -55,47 +55,33 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 // The number of pixels that show an object.
 double object_pixels(const Scene& scene, int width, int height);
 
-// The tests that decide whether a shadow ray from a point outside the object meets it: neither divides nor branches, so
-// a loop over many directions vectorises. They compute in the precision of the direction's components. The objects are
-// convex, so a hit on one can only be shadowed by the other.
+// Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it;
+// computed in the direction's precision.
 
 // |o|^2 - (o.d)^2 < radius^2 for the offset o to the centre, where the centre lies ahead.
-class SphereShadow {
-public:
-    SphereShadow(const Sphere& sphere, Vec3 point)
-        : offset_(sphere.centre - point), excess_(dot(offset_, offset_) - sphere.radius * sphere.radius) {}
-
-    template <class Real>
-    bool covers(Real x, Real y, Real z) const {
-        const Real ahead = Real(offset_.x) * x + Real(offset_.y) * y + Real(offset_.z) * z;
-        return (ahead > 0) & (ahead * ahead > Real(excess_));
-    }
-    bool covers(Vec3 direction) const { return covers(direction.x, direction.y, direction.z); }
-
-private:
-    Vec3 offset_;
-    double excess_;
-};
+template <class Vector>
+bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vector direction) {
+    using Real = decltype(direction.x);
+    const Vec3 o = sphere.centre - point;
+    const Real ahead = Real(o.x) * direction.x + Real(o.y) * direction.y + Real(o.z) * direction.z;
+    return ahead > 0 && ahead * ahead > Real(dot(o, o) - sphere.radius * sphere.radius);
+}
 
 // From a height h on either side of the plane, the point where the ray meets it, multiplied by the ray's approach.
-class RectangleShadow {
-public:
-    RectangleShadow(const Rectangle& rectangle, Vec3 point)
-        : towards_(point.y < rectangle.y ? 1 : -1),
-          height_(std::fabs(point.y - rectangle.y)),
-          left_(rectangle.x_min - point.x),
-          right_(rectangle.x_max - point.x),
-          far_(rectangle.z_min - point.z),
-          near_(rectangle.z_max - point.z) {}
+template <class Vector>
+bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vector direction) {
+    using Real = decltype(direction.x);
+    const Real height = Real(std::fabs(point.y - rectangle.y));
+    const Real approach = point.y < rectangle.y ? direction.y : -direction.y;
+    const Real across = height * direction.x, along = height * direction.z;
+    return approach > 0 && across >= Real(rectangle.x_min - point.x) * approach &&
+           across <= Real(rectangle.x_max - point.x) * approach &&
+           along >= Real(rectangle.z_min - point.z) * approach && along <= Real(rectangle.z_max - point.z) * approach;
+}
 
-    template <class Real>
-    bool covers(Real x, Real y, Real z) const {
-        const Real approach = Real(towards_) * y, across = Real(height_) * x, along = Real(height_) * z;
-        return (approach > 0) & (across >= Real(left_) * approach) & (across <= Real(right_) * approach) &
-               (along >= Real(far_) * approach) & (along <= Real(near_) * approach);
-    }
-    bool covers(Vec3 direction) const { return covers(direction.x, direction.y, direction.z); }
-
-private:
-    double towards_, height_, left_, right_, far_, near_;
-};
+// The same at a hit. The objects are convex: one is shadowed by the other only.
+template <class Vector>
+bool is_shadowed(const Scene& scene, const Hit& hit, Vector direction) {
+    return hit.object == Object::sphere ? is_shadowed_by(scene.rectangle, hit.point, direction)
+                                        : is_shadowed_by(scene.sphere, hit.point, direction);
+}

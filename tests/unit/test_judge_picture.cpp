@@ -130,10 +130,8 @@ TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta)
             Color sum;
             for (const Vec3& local : directions) {
                 const Vec3 direction = frame.to_world(local);
-                const bool shadowed = hit->object == Object::sphere
-                                          ? RectangleShadow(scene.rectangle, hit->point).covers(direction)
-                                          : SphereShadow(scene.sphere, hit->point).covers(direction);
-                if (!shadows || !shadowed) sum = sum + portable::pow(local.y, power) * desert().radiance(direction);
+                if (!shadows || !is_shadowed(scene, *hit, direction))
+                    sum = sum + portable::pow(local.y, power) * desert().radiance(direction);
             }
             return 1.0 / 500 * Color{hit->albedo.x * sum.x, hit->albedo.y * sum.y, hit->albedo.z * sum.z};
         });

@@ -64,10 +64,11 @@ TEST_CASE("hits lie on their object and face the ray") {
 }
 
 TEST_CASE("a sphere shadows in the directions towards it, not away from it") {
-    const SphereShadow above(sphere_scene().sphere, {0, 5, -5});
-    CHECK(above.covers({0, -1, 0}));
-    CHECK(!above.covers({0, 1, 0}));
-    CHECK(!above.covers({1, 0, 0}));
+    const Sphere sphere = sphere_scene().sphere;
+    const Vec3 above{0, 5, -5};
+    CHECK(is_shadowed_by(sphere, above, Vec3{0, -1, 0}));
+    CHECK(!is_shadowed_by(sphere, above, Vec3{0, 1, 0}));
+    CHECK(!is_shadowed_by(sphere, above, Vec3{1, 0, 0}));
 }
 
 TEST_CASE("shadow tests agree with intersection for every direction") {
@@ -84,9 +85,7 @@ TEST_CASE("shadow tests agree with intersection for every direction") {
                 const Vec3 direction = frame.to_world(local);
                 // Off the surface, so that the ray does not meet its own origin.
                 const auto blocker = intersect(scene, {hit->point + 1e-9 * hit->normal, direction});
-                const bool covered = hit->object == Object::sphere
-                                         ? RectangleShadow(scene.rectangle, hit->point).covers(direction)
-                                         : SphereShadow(scene.sphere, hit->point).covers(direction);
+                const bool covered = is_shadowed(scene, *hit, direction);
                 CHECK(covered == blocker.has_value());
                 ++(covered ? shadowed : lit);
             }
@@ -98,13 +97,14 @@ TEST_CASE("shadow tests agree with intersection for every direction") {
 TEST_CASE("a rectangle shadows what lies below it as well as what lies above") {
     const Rectangle rectangle = sphere_scene().rectangle;
     for (const double side : {-1.0, 1.0}) {
-        const RectangleShadow shadow(rectangle, {1, rectangle.y + 2 * side, -5});
-        CHECK(shadow.covers({0, -side, 0}));
-        CHECK(!shadow.covers({0, side, 0}));
-        CHECK(shadow.covers(normalize({2.9, -2 * side, 0})));  // x = 3.9, of at most 4
-        CHECK(!shadow.covers(normalize({3.1, -2 * side, 0})));
-        CHECK(shadow.covers(normalize({0, -2 * side, -3.9})));  // z = -8.9, of at least -9
-        CHECK(!shadow.covers(normalize({0, -2 * side, -4.1})));
+        const Vec3 point{1, rectangle.y + 2 * side, -5};
+        const auto covers = [&](Vec3 direction) { return is_shadowed_by(rectangle, point, direction); };
+        CHECK(covers({0, -side, 0}));
+        CHECK(!covers({0, side, 0}));
+        CHECK(covers(normalize({2.9, -2 * side, 0})));  // x = 3.9, of at most 4
+        CHECK(!covers(normalize({3.1, -2 * side, 0})));
+        CHECK(covers(normalize({0, -2 * side, -3.9})));  // z = -8.9, of at least -9
+        CHECK(!covers(normalize({0, -2 * side, -4.1})));
     }
 }
 

@@ -1,0 +1,73 @@
+// Which quadrature rule a pixel has. A method is a way to give each pixel its rule. Brouillat, Bouville, Loos, Hansen &
+// Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009), share rules
+// between pixels, as the last three here do.
+#pragma once
+
+#include "scene/known_light.h"
+
+#include <memory>
+
+enum class Method {
+    mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: turned at random)
+    direct,   // a fresh Gaussian process on fresh directions for every pixel
+    single,   // one Gaussian process for the whole image
+    rotated,  // the same, its directions turned at random about the normal in every pixel
+    pool      // a random one of several Gaussian processes, turned at random
+};
+constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
+                                                           {"direct", Method::direct},
+                                                           {"single", Method::single},
+                                                           {"rotated", Method::rotated},
+                                                           {"pool", Method::pool}};
+
+struct RenderSettings : ModelSettings {
+    Method method = Method::pool;
+    std::size_t samples = 40;  // directions per pixel
+    std::size_t pool = 20;     // Gaussian processes in the pool
+    int width = 500, height = 500;
+    unsigned threads = 1;  // changes no bit of the image
+    bool plain = false;    // nor does this: whether the loops are those of the textbook
+};
+
+// The directions of a pixel before they are carried to its surface, and what they count.
+struct PixelRule {
+    CosineRule rule;
+    std::vector<const LightTable*> caps;  // of each direction, where the light is known
+};
+
+// A rule and the frame that carries it to the surface.
+struct PlacedRule {
+    std::shared_ptr<const PixelRule> rule;
+    Frame frame;
+};
+
+// Independent directions of Monte Carlo that a pixel draws at a time, so that their number may be any.
+constexpr std::size_t most_fresh_directions = 4096;
+
+class PixelRules {
+public:
+    // The averages of a known light, null for one that is not. Both arguments must outlive this.
+    PixelRules(const RenderSettings& settings, const PrefilteredEnvironment* averages);
+
+    // Makes one of the rules that pixels share, of which there are shared_count(): rule i from the random stream
+    // 2^63 + i, pixels having those from 0. Throws what the Gaussian processes throw.
+    void make_shared_rule();
+    std::size_t shared_count() const;
+    const std::vector<std::shared_ptr<const PixelRule>>& shared() const { return shared_rules_; }
+
+    // The rule of a pixel, from its stream of random numbers: a fresh one has so many samples, a shared one those of
+    // the settings.
+    PlacedRule of(Vec3 normal, std::size_t samples, Random& random) const;
+
+private:
+    std::shared_ptr<const PixelRule> fresh_rule(std::size_t samples, Random& random) const;
+    PlacedRule direct(Vec3 normal, Random& random) const;
+    PlacedRule single(Vec3 normal) const;
+    PlacedRule rotated(Vec3 normal, double turns) const;
+    PlacedRule pool(Vec3 normal, double u, double turns) const;
+
+    const RenderSettings& settings_;
+    const PrefilteredEnvironment* averages_;
+    std::unique_ptr<Covariance> covariance_;
+    std::vector<std::shared_ptr<const PixelRule>> shared_rules_;
+};

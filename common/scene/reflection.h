@@ -1,0 +1,23 @@
+// What a pixel does with a quadrature rule: the light that a point reflects, where nothing emits but the environment,
+//     L_o = integral over H of (albedo / pi) V L cos(theta) dw ~ (albedo / pi) sum of weight_i V_i L_i,
+// whose visibility V is 0 for a direction that the other object shadows, and 1 for the others.
+#pragma once
+
+#include "quadrature/quadrature.h"
+#include "scene/environment.h"
+#include "scene/scene.h"
+
+#include <vector>
+
+// A rule for the integral of f cos(theta) dw over H, where f is to be sampled: cos(theta) is in its weights.
+struct WeightedDirection {
+    Direction direction;
+    double weight;
+};
+using CosineRule = std::vector<WeightedDirection>;
+
+CosineRule cosine_rule(const QuadratureRule& rule);
+
+// L_o, linear RGB, by a rule that the frame carries to the surface.
+Color reflected_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
+                      const Frame& frame);
