@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "options.h"
 #include "scene/desert.h"
+#include "scene/pilot.h"
 #include "scene/render.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace {
 
 struct Request {
     RenderSettings settings;
+    double rmse = 0;          // that is asked for; 0: the number of samples is given
     std::string environment;  // empty: the built-in one
     bool linear = false;      // PFM instead of PPM
     bool help = false;
@@ -33,12 +35,24 @@ void set_size(RenderSettings& settings, const std::string& text) {
     }
 }
 
+std::vector<Option> method_options(Request& request) {
+    const RenderOptions options(request.settings);
+    const auto chosen = [&] { return request.rmse > 0 ? "--rmse chooses their number" : ""; };
+    return {options.method, idle_while(chosen, options.samples),
+            real_option("rmse", "X", "of the picture, predicted: takes the fewest samples that have at most this",
+                        request.rmse, {1e-9, 1e9}),
+            options.pool};
+}
+
 std::vector<Option> picture_options(Request& request) {
     RenderSettings& settings = request.settings;
     return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
              [&](const std::string& text) { set_size(settings, text); }},
             {"environment", "FILE", environment_help,
              [&](const std::string& text) { request.environment = parse_name(text); }},
+            choice_option("show", "", show_names, settings.show,
+                          ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
+                          "picture's RMSE"),
             {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
              [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
             {"threads", "T", "changes the time only, not the picture (default: all cores)",
@@ -57,7 +71,7 @@ std::string help_text() {
     Request request;
     return "usage: ./renderer [options] > out.ppm\n\n"
            "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\nmethod:\n" +
-           describe(RenderOptions(request.settings).method) + "\nGaussian process and its samples:\n" +
+           describe(method_options(request)) + "\nGaussian process and its samples:\n" +
            describe(process_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
            "\nexamples: ./renderer --method mc > mc.ppm\n"
            "          ./renderer --known light --placement cosine-fibonacci > best.ppm\n";
@@ -68,19 +82,37 @@ Request parse(int argc, char** argv) {
     Request request;
     request.settings.threads = std::max(1u, std::thread::hardware_concurrency());
     const std::vector<std::string> rest = parse_options(
-        argc, argv,
-        joined({RenderOptions(request.settings).method, process_options(request), picture_options(request)}));
+        argc, argv, joined({method_options(request), process_options(request), picture_options(request)}));
     if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     require_possible(request.settings);
+    if (request.rmse > 0 || request.settings.show == Show::error) require_predictable(request.settings);
     return request;
 }
 
-std::string run(const Request& request) {
+void tell_prediction(const RenderSettings& settings, double rmse) {
+    std::fprintf(stderr, "renderer: %zu samples for a predicted RMSE of %.2g%s\n", settings.samples, rmse,
+                 settings.method == Method::single ? "; all pixels share one rule, and this seed may be far off" : "");
+}
+
+std::string run(Request request) {
     if (request.help) return help_text();
     require_file_output("./renderer > out.ppm");
     const EnvironmentMap environment = load_environment(request.environment);
-    const Image image = render(sphere_scene(), environment, request.settings, terminal_progress("renderer"));
+    const Light light(environment);
+    const Scene scene = sphere_scene();
+    RenderSettings& settings = request.settings;
+    if (request.rmse > 0) {
+        const ChosenSamples chosen = samples_for(request.rmse, max_process_samples, scene, light, settings);
+        settings.samples = chosen.samples;
+        tell_prediction(settings, chosen.rmse);
+    }
+    Image image = render(scene, light, settings, terminal_progress("renderer"));
+    if (settings.show == Show::error) {
+        const double rmse = root_mean_square(image, object_pixels(scene, settings.width, settings.height));
+        if (request.rmse == 0) tell_prediction(settings, rmse);
+        if (!request.linear) image = grey_scale(image, 2 * rmse);
+    }
     return request.linear ? to_pfm(image) : to_ppm(image);
 }
 

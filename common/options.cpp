@@ -42,16 +42,17 @@ void require_closed_form(const ModelSettings& settings) {
             "a known part goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form for it");
 }
 
-RenderOptions::RenderOptions(RenderSettings& s) : placement(ModelOptions(s).placement), seed(ModelOptions(s).seed) {
+RenderOptions::RenderOptions(RenderSettings& s)
+    : method(choice_option("method", "", method_names, s.method)),
+      samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_mc_samples)),
+      placement(ModelOptions(s).placement),
+      seed(ModelOptions(s).seed) {
     Option known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
                                  "; the last two for sobolev with smoothness 1.5");
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
     known.idle = [&s, no_process] { return s.prior.known == KnownPart::light ? "" : no_process(); };
     const auto no_pool = [&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; };
-    method = {
-        choice_option("method", "", method_names, s.method),
-        count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_mc_samples),
-        idle_while(no_pool, count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))};
+    pool = idle_while(no_pool, count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000));
     const ModelOptions model(s);
     for (const Option& option : {model.covariance, model.smoothness, model.length_scale, model.noise})
         process.push_back(idle_while(no_process, option));
@@ -64,4 +65,11 @@ void require_possible(const RenderSettings& settings) {
         throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
                          std::to_string(max_process_samples) + " are allowed for every method but mc");
     require_closed_form(settings);
+}
+
+void require_predictable(const RenderSettings& settings) {
+    if (!predicts_error(settings))
+        throw UsageError(
+            "--method mc predicts no error on a lattice, whose samples do not differ as independent ones do; take "
+            "--placement uniform or cosine, or another method");
 }

@@ -22,7 +22,7 @@ struct ModelOptions {
 void require_closed_form(const ModelSettings& settings);
 
 struct RenderOptions {
-    std::vector<Option> method;   // and samples, pool
+    Option method, samples, pool;
     std::vector<Option> process;  // of which Monte Carlo takes only that the light is known
     Option placement, seed;
 
@@ -31,3 +31,6 @@ struct RenderOptions {
 
 // Throws UsageError for settings that no picture can be rendered by.
 void require_possible(const RenderSettings& settings);
+
+// The same for those whose samples say nothing of the picture's error.
+void require_predictable(const RenderSettings& settings);

@@ -30,6 +30,19 @@ ImageError image_error(const std::vector<bool>& mask, const Image& image, const 
     return {std::sqrt(squares / count), pair_squares > 0 ? products / pair_squares : 0, sum / true_sum - 1};
 }
 
+double share_within_two(const std::vector<bool>& mask, const Image& image, const Image& truth, const Image& predicted) {
+    double within = 0, all = 0;
+    std::size_t pixel = 0;
+    for (int y = 0; y < truth.height(); ++y)
+        for (int x = 0; x < truth.width(); ++x) {
+            if (!mask[pixel++]) continue;
+            const Color error = image(x, y) - truth(x, y), most = 2 * predicted(x, y);
+            within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
+            all += 3;
+        }
+    return within / all;
+}
+
 double alike_neighbours(const std::vector<bool>& mask, const Image& image, const Image& truth, double rmse) {
     double pairs = 0, alike = 0;
     std::size_t pixel = 0;

@@ -19,6 +19,9 @@ struct ImageError {
 };
 ImageError image_error(const std::vector<bool>& mask, const Image& image, const Image& truth);
 
+// The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
+double share_within_two(const std::vector<bool>& mask, const Image& image, const Image& truth, const Image& predicted);
+
 // The fraction of horizontally neighbouring pixels whose errors, as vectors, differ by less than a tenth of the RMSE of
 // all channels: 1 where they share everything, more than chance where they share a rule.
 double alike_neighbours(const std::vector<bool>& mask, const Image& image, const Image& truth, double rmse);

@@ -31,7 +31,7 @@ std::string picture_report(const PictureJudgement& judgement, const std::string&
 std::vector<Option> Judge::options() {
     const RenderOptions render_options(correct);
     const auto no_picture = [this] { return integrand.empty() ? "" : "an error table has none"; };
-    std::vector<Option> of_picture = render_options.method;
+    std::vector<Option> of_picture = {render_options.method, render_options.samples, render_options.pool};
     of_picture.push_back({"environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert",
                           [this](const std::string& text) { environment = parse_name(text); }});
     for (Option& option : of_picture) option = idle_while(no_picture, std::move(option));

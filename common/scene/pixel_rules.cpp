@@ -17,11 +17,16 @@ void PixelRules::make_shared_rule() {
 
 std::shared_ptr<const PixelRule> PixelRules::fresh_rule(std::size_t samples, Random& random) const {
     DirectionSet set = place_directions(settings_.placement, samples, random);
-    const QuadratureRule rule =
-        settings_.method == Method::mc
-            ? monte_carlo_rule(std::move(set))
-            : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions), settings_.prior);
-    PixelRule pixel_rule{cosine_rule(rule), {}};
+    PixelRule pixel_rule;
+    QuadratureRule rule;
+    if (settings_.method == Method::mc) {
+        rule = monte_carlo_rule(std::move(set));
+    } else {
+        GaussianProcess process(*covariance_, settings_.noise, std::move(set.directions), settings_.prior);
+        rule = {process.directions(), process.weights(), settings_.prior.known};
+        if (settings_.show == Show::error) pixel_rule.process = std::move(process);
+    }
+    pixel_rule.rule = cosine_rule(rule);
     if (averages_) pixel_rule.caps = caps_of(rule, *averages_);
     return std::make_shared<const PixelRule>(std::move(pixel_rule));
 }

@@ -6,6 +6,7 @@
 #include "scene/known_light.h"
 
 #include <memory>
+#include <optional>
 
 enum class Method {
     mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: turned at random)
@@ -20,19 +21,36 @@ constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
                                                            {"rotated", Method::rotated},
                                                            {"pool", Method::pool}};
 
+// What a picture shows of each point: the light that it reflects, or the standard error that is predicted for that.
+enum class Show { picture, error };
+constexpr std::pair<const char*, Show> show_names[] = {{"picture", Show::picture}, {"error", Show::error}};
+
 struct RenderSettings : ModelSettings {
     Method method = Method::pool;
     std::size_t samples = 40;  // directions per pixel
     std::size_t pool = 20;     // Gaussian processes in the pool
+    Show show = Show::picture;
     int width = 500, height = 500;
     unsigned threads = 1;  // changes no bit of the image
     bool plain = false;    // nor does this: whether the loops are those of the textbook
 };
 
+// Monte Carlo's samples tell its error by what they differ by, if they are independent.
+inline bool predicts_error(const RenderSettings& settings) {
+    return settings.method != Method::mc || !is_lattice(settings.placement);
+}
+
+// Every pixel draws from a stream of its own.
+inline Random pixel_stream(const RenderSettings& settings, int x, int y) {
+    return {settings.seed,
+            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
+}
+
 // The directions of a pixel before they are carried to its surface, and what they count.
 struct PixelRule {
     CosineRule rule;
-    std::vector<const LightTable*> caps;  // of each direction, where the light is known
+    std::vector<const LightTable*> caps;     // of each direction, where the light is known
+    std::optional<GaussianProcess> process;  // that gave the weights, where errors are shown
 };
 
 // A rule and the frame that carries it to the surface.

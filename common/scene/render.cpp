@@ -1,4 +1,5 @@
 #include "scene/render.h"
+#include "scene/pilot.h"
 #include "scene/render_fast.h"
 
 #include <algorithm>
@@ -11,7 +12,9 @@ namespace {
 class Renderer {
 public:
     Renderer(const Scene& scene, const Light& light, const RenderSettings& settings, const PixelRules& rules)
-        : scene_(scene), light_(light), settings_(settings), rules_(rules) {}
+        : scene_(scene), light_(light), settings_(settings), rules_(rules) {
+        if (settings.show == Show::error) picture_amplitude_ = run_pilot(scene, light, settings, rules).amplitude;
+    }
 
     // Returns how many pixels of the row show an object.
     std::size_t operator()(int y, Image& image) const {
@@ -20,15 +23,26 @@ public:
         for (int x = 0; x < settings_.width; ++x) {
             const Ray ray = camera.ray(x, y);
             const std::optional<Hit> hit = intersect(scene_, ray);
-            Random random(settings_.seed, static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) +
-                                              static_cast<std::uint64_t>(x));
-            image.set(x, y, hit ? reflected(*hit, random) : light_.environment().interpolated_radiance(ray.direction));
+            Random random = pixel_stream(settings_, x, y);
+            image.set(x, y, hit ? shown(*hit, random) : background(ray));
             objects += hit.has_value();
         }
         return objects;
     }
 
 private:
+    // What is exact has no error.
+    Color background(const Ray& ray) const {
+        return settings_.show == Show::error ? Color{} : light_.environment().interpolated_radiance(ray.direction);
+    }
+
+    Color shown(const Hit& hit, Random& random) const {
+        if (settings_.show == Show::picture) return reflected(hit, random);
+        const PlacedRule placed = rules_.of(hit.normal, settings_.samples, random);
+        const PixelError error = pixel_error(scene_, light_, settings_.prior.known, hit, placed);
+        return standard_error(error, picture_amplitude_, settings_.samples);
+    }
+
     // The mean over parts of the directions where these are many, each part a rule of its own.
     Color reflected(const Hit& hit, Random& random) const {
         const bool in_parts = settings_.method == Method::mc && rules_.shared().empty();
@@ -43,7 +57,7 @@ private:
     }
 
     Color shade(const Hit& hit, const PlacedRule& placed) const {
-        const auto& [rule, caps] = *placed.rule;
+        const auto& [rule, caps, process] = *placed.rule;
         return settings_.prior.known == KnownPart::light
                    ? reflected_known_light(scene_, light_.averages(), hit, rule, caps, placed.frame)
                    : reflected_light(scene_, light_.environment(), hit, rule, placed.frame);
@@ -53,6 +67,7 @@ private:
     const Light& light_;
     const RenderSettings& settings_;
     const PixelRules& rules_;
+    Color picture_amplitude_;  // where errors are shown
 };
 
 // The fraction of a rendering that is done, counted in rays: they take the time, not the rows of sky. To make a rule of
@@ -90,7 +105,8 @@ Image render(const Scene& scene, const Light& light, const RenderSettings& setti
         report(made, 0);
     }
     std::function<std::size_t(int, Image&)> render_row = Renderer(scene, light, settings, rules);
-    if (!settings.plain) render_row = rows_fast(render_row, scene, light, settings, rules);
+    const bool fast = !settings.plain && settings.show == Show::picture;
+    if (fast) render_row = rows_fast(render_row, scene, light, settings, rules);
     Image image(settings.width, settings.height);
     std::atomic<int> next_row{0};
     std::atomic<std::size_t> object_pixels_done{0};

@@ -14,7 +14,7 @@
 // Called with the fraction of the image that is done, from one thread.
 using Progress = std::function<void(double)>;
 
-// The image of linear radiance. Every pixel draws from a random stream of its own.
-// Throws what the Gaussian processes throw.
+// The image of linear radiance, or of its predicted standard errors, 0 where no object is. Every pixel draws from a
+// random stream of its own. Throws what the Gaussian processes throw.
 Image render(const Scene& scene, const Light& light, const RenderSettings& settings,
              const Progress& progress = nullptr);

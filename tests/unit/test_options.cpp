@@ -44,10 +44,20 @@ TEST_CASE("only a picture has a light that can be known") {
     CHECK(parse({"--known", "light"}, RenderOptions(settings).process).empty());
     CHECK(settings.prior.known == KnownPart::light);
     CHECK(parse({"--method", "mc", "--known", "light"},
-                joined({RenderOptions(settings).method, RenderOptions(settings).process}))
+                joined({{RenderOptions(settings).method}, RenderOptions(settings).process}))
               .empty());
     settings.samples = 4097;
     CHECK_NOTHROW(require_possible(settings));
     settings.method = Method::pool;
     CHECK_THROWS_AS(require_possible(settings), UsageError);
+}
+
+TEST_CASE("Monte Carlo on a lattice predicts no error") {
+    RenderSettings settings;
+    settings.placement = Placement::fibonacci;
+    CHECK_NOTHROW(require_predictable(settings));
+    settings.method = Method::mc;
+    CHECK_THROWS_AS(require_predictable(settings), UsageError);
+    settings.placement = Placement::cosine;
+    CHECK_NOTHROW(require_predictable(settings));
 }

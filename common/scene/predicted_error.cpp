@@ -1,0 +1,133 @@
+#include "scene/predicted_error.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+// What a rule of n directions sees from a point: for direction j whether the environment is visible, and its light or,
+// where that is known, the mean over the direction's cap.
+struct Samples {
+    std::vector<double> visible;
+    std::vector<Color> light;
+};
+
+Samples samples_of(const Scene& scene, const Light& light, const Hit& hit, const PlacedRule& placed) {
+    const auto& [rule, caps, process] = *placed.rule;
+    Samples samples;
+    for (std::size_t j = 0; j < rule.size(); ++j) {
+        const Direction direction = placed.frame.to_world(rule[j].direction);
+        samples.visible.push_back(is_shadowed(scene, hit, direction) ? 0 : 1);
+        samples.light.push_back(caps.empty() ? light.environment().radiance(direction) : caps[j]->radiance(direction));
+    }
+    return samples;
+}
+
+double sum_of_squares(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value * value;
+    return sum;
+}
+
+std::vector<double> deviations(std::vector<double> values) {
+    if (values.size() == 1)
+        throw std::invalid_argument("one sample says nothing of the error of its mean; take two or more");
+    double sum = 0;
+    for (const double value : values) sum += value;
+    for (double& value : values) value -= sum / static_cast<double>(values.size());
+    return values;
+}
+
+// Each colour by itself: (*colour).x, y, z.
+constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
+
+// By a process of the light, or by samples whose weights count it already.
+PixelError error_of_light(const PixelRule& rule, KnownPart known, const Samples& samples) {
+    const std::size_t count = rule.rule.size();
+    const double n = static_cast<double>(count);
+    PixelError error;
+    std::vector<double> values(count);
+    for (const auto channel : channels) {
+        for (std::size_t j = 0; j < count; ++j) {
+            const auto& [direction, weight] = rule.rule[j];
+            const double factor = !rule.process ? n * weight : known == KnownPart::cosine ? 1 : direction.y;
+            values[j] = factor * samples.visible[j] * samples.light[j].*channel;
+        }
+        if (rule.process) {
+            const double amplitude = rule.process->amplitude(values);
+            error.amplitude.*channel = amplitude * amplitude;
+            error.variance.*channel = rule.process->variance();
+        } else {
+            error.amplitude.*channel = sum_of_squares(deviations(values)) / (n - 1);
+            error.variance.*channel = 1 / n;
+        }
+    }
+    return error;
+}
+
+// By a process of the visibility, or by independent samples of it.
+PixelError error_of_visibility(const PixelRule& rule, Color irradiance, const Samples& samples) {
+    double weights = 0, squared_weights = 0;
+    Color parts, squared_parts;
+    for (std::size_t j = 0; j < rule.rule.size(); ++j) {
+        const double weight = rule.rule[j].weight;
+        const Color part = weight * samples.light[j];
+        weights += weight;
+        squared_weights += weight * weight;
+        parts += part;
+        squared_parts += part * part;
+    }
+    std::vector<double> values = deviations(samples.visible);
+    double even = 1;  // U of an even light, over the sum of e_j^2
+    if (rule.process) {
+        values = rule.process->cholesky().solve_lower(values);
+        even = rule.process->variance() / (portable::pi * portable::pi) * (weights * weights) / squared_weights;
+    }
+    PixelError error;
+    error.amplitude = sum_of_squares(values) / static_cast<double>(values.size() - 1) * (irradiance * irradiance);
+    for (const auto channel : channels)
+        if (parts.*channel > 0)
+            error.variance.*channel = even * squared_parts.*channel / (parts.*channel * parts.*channel);
+    return error;
+}
+
+}  // namespace
+
+PixelError pixel_error(const Scene& scene, const Light& light, KnownPart known, const Hit& hit,
+                       const PlacedRule& placed) {
+    const Samples samples = samples_of(scene, light, hit, placed);
+    PixelError error = known == KnownPart::light
+                           ? error_of_visibility(*placed.rule, light.averages().irradiance(hit.normal), samples)
+                           : error_of_light(*placed.rule, known, samples);
+    const Color brdf = 1 / portable::pi * hit.albedo;
+    error.amplitude = brdf * brdf * error.amplitude;
+    return error;
+}
+
+Color standard_error(const PixelError& error, Color picture_amplitude, std::size_t samples) {
+    constexpr double more = 3;
+    const double n = static_cast<double>(samples);
+    Color result;
+    for (const auto channel : channels)
+        result.*channel = std::sqrt(error.variance.*channel / (n + more) *
+                                    (n * error.amplitude.*channel + more * picture_amplitude.*channel));
+    return result;
+}
+
+double root_mean_square(const Image& errors, double pixels) {
+    double sum = 0;
+    for (int y = 0; y < errors.height(); ++y)
+        for (int x = 0; x < errors.width(); ++x) sum += dot(errors(x, y), errors(x, y));
+    return std::sqrt(sum / (3 * pixels));
+}
+
+Image grey_scale(const Image& errors, double white) {
+    Image grey(errors.width(), errors.height());
+    for (int y = 0; y < errors.height(); ++y)
+        for (int x = 0; x < errors.width(); ++x) {
+            const double error = std::sqrt(dot(errors(x, y), errors(x, y)) / 3);
+            const double level = white > 0 ? error / white : 0;
+            grey.set(x, y, {level, level, level});
+        }
+    return grey;
+}
