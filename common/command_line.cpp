@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include <fcntl.h>
 #include <getopt.h>
 #include <unistd.h>
 
@@ -24,7 +25,11 @@ std::string in_words(double value) {
 }
 
 void write_all(const std::string& output) {
+#ifdef _WIN32
+    _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
+#else
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write
+#endif
     const bool written = std::fwrite(output.data(), 1, output.size(), stdout) == output.size();
     if (!written || std::fclose(stdout) != 0)  // a short output is written here
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));

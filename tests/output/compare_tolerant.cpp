@@ -284,7 +284,7 @@ double common_factor(const Picture& reference, const Picture& actual, const std:
         for (std::size_t i = reference.index(pixel.x, pixel.y), end = i + 3; i < end; ++i)
             if (tells(light(reference, i)) && tells(light(actual, i)))
                 factors.push_back(light(actual, i) / light(reference, i));
-    if (factors.size() < pixels.size() / 4) return 0;
+    if (factors.empty() || factors.size() < pixels.size() / 4) return 0;
     std::sort(factors.begin(), factors.end());
     const double middle = factors[factors.size() / 2], low = factors[factors.size() / 50];
     const double high = factors[factors.size() - 1 - factors.size() / 50];
