@@ -46,22 +46,6 @@ double mean(double sum, std::size_t estimates, const Integrand& integrand) {
     return std::fabs(error) < 1e-12 * std::fabs(integrand.truth) ? 0 : error;
 }
 
-// On the directions of the same estimates.
-void add_rival_error(ErrorRow& row, const Integrand& integrand, const Covariance& rival,
-                     const ErrorSettings& settings) {
-    double sum = 0;
-    try {
-        for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-            const std::vector<Vec3> directions = estimate_directions(settings, row.samples, e).directions;
-            const GaussianProcess process(rival, settings.noise, directions);
-            sum += std::fabs(process.integral(sample(integrand, directions)) - integrand.truth);
-        }
-        row.rival_error = mean(sum, settings.bmc_estimates, integrand);
-    } catch (const NotPositiveDefinite& error) {
-        row.refusal = error.what();
-    }
-}
-
 // BEGIN SOLUTION table
 // The means of |estimate - truth| over so many estimates with n samples, and of the standard errors that Bayesian Monte
 // Carlo predicts. Estimate e takes the directions that estimate_directions gives for it.
@@ -84,6 +68,18 @@ ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, con
 }
 // END SOLUTION
 
+// Of Bayesian Monte Carlo with the prior mean zero on the directions of the same estimates.
+void add_rival_error(ErrorRow& row, const Integrand& integrand, ErrorSettings settings) {
+    settings.mc_estimates = 1;
+    settings.prior = {};
+    try {
+        row.rival_error =
+            error_row(integrand, SquaredExponential(settings.length_scale), settings, row.samples).bmc_error;
+    } catch (const NotPositiveDefinite& error) {
+        row.refusal = error.what();
+    }
+}
+
 }  // namespace
 
 double ErrorRow::gain() const {
@@ -93,11 +89,10 @@ double ErrorRow::gain() const {
 
 std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings) {
     const std::unique_ptr<Covariance> covariance = settings.make_covariance();
-    const SquaredExponential rival(settings.length_scale);
     std::vector<ErrorRow> rows;
     for (const std::size_t n : settings.samples) {
         rows.push_back(error_row(integrand, *covariance, settings, n));
-        add_rival_error(rows.back(), integrand, rival, settings);
+        add_rival_error(rows.back(), integrand, settings);
     }
     return rows;
 }

@@ -1,19 +1,11 @@
 #include "experiments/integrands.h"
 #include "scene/desert.h"
 
-#include "scene/scene.h"
-
 #include <memory>
 
 using portable::pi;
 
 namespace {
-
-constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
-
-double dense_quadrature(const Integrand& integrand) {
-    return apply(monte_carlo_rule({Placement::fibonacci, fibonacci_directions(1 << 18)}), integrand);
-}
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& environment) {
     const Frame frame(normalize({0.3, 0.6, -0.7}));
@@ -25,35 +17,17 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& env
     return integrand;
 }
 
-Integrand scene_integrand(const std::shared_ptr<const EnvironmentMap>& environment, const Scene& scene,
-                          const Hit& hit) {
-    const Frame frame(hit.normal);
-    Integrand integrand{"scene", "L(w) cos(theta) at a point of the scene", nullptr, 0};
-    integrand.value = [=](Vec3 local) {
-        const Vec3 direction = frame.to_world(local);
-        return is_shadowed(scene, hit, direction) ? 0 : dot(luminance, environment->radiance(direction)) * local.y;
-    };
-    integrand.truth = dense_quadrature(integrand);
-    return integrand;
-}
-
 }  // namespace
+
+double dense_quadrature(const Integrand& integrand) {
+    return apply(monte_carlo_rule({Placement::fibonacci, fibonacci_directions(1 << 18)}), integrand);
+}
 
 std::vector<Integrand> practice_integrands() {
     return {{"constant", "1", [](Vec3) { return 1.0; }, 2 * pi},
             {"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi},
             {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, pi / 2},
             environment_integrand(std::make_shared<const EnvironmentMap>(built_in_environment()))};
-}
-
-std::vector<Integrand> scene_integrands() {
-    const auto environment = std::make_shared<const EnvironmentMap>(built_in_environment());
-    const Scene scene = sphere_scene();
-    const Camera camera{500, 500};
-    std::vector<Integrand> integrands;
-    for (const auto& [x, y] : {std::pair<int, int>{250, 90}, {130, 250}, {370, 320}, {250, 460}, {60, 430}})
-        integrands.push_back(scene_integrand(environment, scene, intersect(scene, camera.ray(x, y)).value()));
-    return integrands;
 }
 
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, KnownPart known) {

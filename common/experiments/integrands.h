@@ -20,9 +20,10 @@ struct Integrand {
 // above a tilted surface, whose truth is a dense quadrature.
 std::vector<Integrand> practice_integrands();
 
-// Incident luminance times cos(theta), shadows included, at five points of the sphere scene in the built-in
-// environment: three on the sphere, two on the rectangle.
-std::vector<Integrand> scene_integrands();
+constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
+
+// The integral by 2^18 directions on the Fibonacci lattice.
+double dense_quadrature(const Integrand& integrand);
 
 // The unknown factor of the integrand at each direction: its value over the known part.
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions,

@@ -1,5 +1,7 @@
 #include "experiments/models.h"
 
+#include "experiments/scene_integrands.h"
+
 #include "quadrature/gaussian_process.h"
 
 #include <algorithm>

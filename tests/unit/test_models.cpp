@@ -1,4 +1,5 @@
 #include "experiments/models.h"
+#include "experiments/scene_integrands.h"
 
 #include <doctest/doctest.h>
 
