@@ -12,7 +12,7 @@
 # make format-check whether clang-format would change a source
 
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
-.PHONY: doctest test references handout grade mutations portability fuzz bench figures seconds format-check
+.PHONY: doctest test references handout grade grade_programs mutations portability fuzz bench figures seconds format-check
 
 $(TESTS): | doctest
 doctest:
@@ -30,10 +30,12 @@ test: all $(BUILD)/unit_tests $(BUILD)/compare
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite
 
-handout: all
+include tests/course/alone.mk
+handout: all $(ALONE)
 	BUILD=$(BUILD) BIN=$(BIN) tests/course/handout
 
 SUBMISSION ?= .
+grade_programs: all $(BUILD)/compare $(ALONE)
 grade:
 	BUILD=$(BUILD) CXX=$(CXX) tests/course/grade "$(SUBMISSION)"
 

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
-namespace {
+// No task of the practice, but near one: the hand-out leaves it out as it leaves out the tasks.
 
-// A visible part of the light, in [0, 1] whatever the weights; 0 where no direction has light of this colour.
-double fraction(double visible, double all) { return all > 0 ? std::clamp(visible / all, 0.0, 1.0) : 0; }
-
-}  // namespace
-
+// BEGIN SOLUTION extra
 std::vector<const LightTable*> caps_of(const QuadratureRule& rule, const PrefilteredEnvironment& light) {
     const double share = 2 * portable::pi / static_cast<double>(rule.weights.size());
     const CosineRule cosine = cosine_rule(rule);
@@ -17,6 +13,15 @@ std::vector<const LightTable*> caps_of(const QuadratureRule& rule, const Prefilt
         caps.push_back(&light.table(std::clamp(cosine[i].weight / rule.directions[i].y, share / 4, share * 4)));
     return caps;
 }
+// END SOLUTION
+
+// BEGIN SOLUTION extra
+namespace {
+
+// A visible part of the light, in [0, 1] whatever the weights; 0 where no direction has light of this colour.
+double fraction(double visible, double all) { return all > 0 ? std::clamp(visible / all, 0.0, 1.0) : 0; }
+
+}  // namespace
 
 Color reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit,
                             const CosineRule& rule, const std::vector<const LightTable*>& caps, const Frame& frame) {
@@ -37,3 +42,4 @@ Color reflected_known_light(const Scene& scene, const PrefilteredEnvironment& li
             irradiance * Color{fraction(visible.x, all.x), fraction(visible.y, all.y), fraction(visible.z, all.z)};
     return 1 / portable::pi * (hit.albedo * irradiance);
 }
+// END SOLUTION

@@ -5,6 +5,14 @@
 
 namespace {
 
+// Each colour by itself: (*colour).x, y, z.
+constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
+
+}  // namespace
+
+// BEGIN SOLUTION extra
+namespace {
+
 // What a rule of n directions sees from a point: for direction j whether the environment is visible, and its light or,
 // where that is known, the mean over the direction's cap.
 struct Samples {
@@ -37,9 +45,6 @@ std::vector<double> deviations(std::vector<double> values) {
     for (double& value : values) value -= sum / static_cast<double>(values.size());
     return values;
 }
-
-// Each colour by itself: (*colour).x, y, z.
-constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
 
 // By a process of the light, or by samples whose weights count it already.
 PixelError error_of_light(const PixelRule& rule, KnownPart known, const Samples& samples) {
@@ -103,6 +108,7 @@ PixelError pixel_error(const Scene& scene, const Light& light, KnownPart known, 
     error.amplitude = brdf * brdf * error.amplitude;
     return error;
 }
+// END SOLUTION
 
 Color standard_error(const PixelError& error, Color picture_amplitude, std::size_t samples) {
     constexpr double more = 3;

@@ -165,8 +165,9 @@ std::string describe_matrix(const Table& table) {
 
 // Where the first difference is: line `at` of both outputs.
 std::string describe_place(const Lines& reference, const Lines& actual, std::size_t at, double tolerance) {
-    const std::string line = "line " + std::to_string(at + 1);
     const std::vector<std::string> a = split_columns(reference[at]), b = split_columns(actual[at]);
+    const bool named = !a.empty() && parse_word(a[0]).rest == a[0];
+    const std::string line = "line " + std::to_string(at + 1) + (named && is_row(reference[at]) ? ", " + a[0] : "");
     if (!is_row(reference[at]) || a.size() != b.size())
         return line + ", reference: " + reference[at] + ", here: " + actual[at];
     std::size_t i = 0;
