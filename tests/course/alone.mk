@@ -16,6 +16,7 @@ $(BUILD)/alone $(BUILD)/alone_rules: $(BUILD)/%: $(BUILD)/$(COURSE)/%.o $(STUDEN
 
 # The source without the other tasks in it.
 $(BUILD)/integral.cpp: common/quadrature/gaussian_process.cpp
+	@mkdir -p $(@D)
 	@bash -c '. $(COURSE)/tasks && only integral $<' > $@
 $(BUILD)/integral.o: $(BUILD)/integral.cpp
 	@$(COMPILE) -O0 -w -c $< -o $@ 2> $@.err || rm -f $@
