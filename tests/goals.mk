@@ -21,7 +21,7 @@ doctest:
 $(BUILD)/unit_tests: $(TESTS) $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(BUILD)/common/scene/scene.o
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare

@@ -26,6 +26,17 @@ bool has_decimal_commas(const std::string& text) {
     return inside && count > 1 && text.find('.') == std::string::npos;
 }
 
+// A line ends in LF, CR LF or CR; before the first there may be the mark of UTF-8.
+bool next_line(std::istream& in, std::string& text, std::size_t line) {
+    text.clear();
+    if (in.peek() == EOF) return false;
+    for (char c; in.get(c) && c != '\n' && c != '\r'; text += c)
+        if (text.size() == 4095) fail(line, "it is longer than 4095 characters");
+    if (in && in.unget().get() == '\r' && in.peek() == '\n') in.get();
+    if (line == 1 && text.compare(0, 3, "\xEF\xBB\xBF") == 0) text.erase(0, 3);
+    return true;
+}
+
 std::vector<double> numbers_of(std::string text, std::size_t line) {
     text.erase(std::min(text.find('#'), text.size()));
     if (has_decimal_commas(text)) fail(line, "its commas seem to be decimal ones; write points");
@@ -55,13 +66,11 @@ void read_input(const std::string& file, const std::function<void(std::istream&)
     }
 }
 
-std::vector<Row> read_rows(std::istream& in, std::size_t max_rows) {
-    std::vector<Row> rows;
-    std::vector<char> text(4096);
-    for (std::size_t line = 1; in.getline(text.data(), static_cast<std::streamsize>(text.size())) || in.gcount() > 0;
-         ++line) {
-        if (in.fail()) fail(line, "it is longer than 4095 characters");
-        Row row{line, numbers_of(text.data(), line)};
+std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows) {
+    std::vector<InputRow> rows;
+    std::string text;
+    for (std::size_t line = 1; next_line(in, text, line); ++line) {
+        InputRow row{line, numbers_of(text, line)};
         if (row.numbers.empty()) continue;
         if (rows.size() == max_rows) fail(line, "there are more than " + std::to_string(max_rows) + " rows of numbers");
         rows.push_back(std::move(row));

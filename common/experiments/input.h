@@ -14,12 +14,12 @@
 void read_input(const std::string& file, const std::function<void(std::istream&)>& read);
 
 // The numbers of one line.
-struct Row {
+struct InputRow {
     std::size_t line;  // from 1
     std::vector<double> numbers;
 };
 
-// The lines that hold numbers, between white space or commas; what follows a '#' is a comment. Throws
-// std::runtime_error that names the line for what is no finite number, decimal commas, a line of more than 4095
-// characters, or more rows than max_rows; and if there is no row at all.
-std::vector<Row> read_rows(std::istream& in, std::size_t max_rows);
+// The lines, ended in LF, CR LF or CR, that hold numbers, between white space or commas; what follows a '#' is a
+// comment. Throws std::runtime_error that names the line for what is no finite number, decimal commas, a line of more
+// than 4095 characters, or more rows than max_rows; and if there is no row at all.
+std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows);

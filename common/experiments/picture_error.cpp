@@ -42,38 +42,3 @@ double share_within_two(const std::vector<bool>& mask, const Image& image, const
         }
     return within / all;
 }
-
-double alike_neighbours(const std::vector<bool>& mask, const Image& image, const Image& truth, double rmse) {
-    double pairs = 0, alike = 0;
-    std::size_t pixel = 0;
-    for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x, ++pixel) {
-            if (x + 1 == truth.width() || !mask[pixel] || !mask[pixel + 1]) continue;
-            const Vec3 difference = (image(x, y) - truth(x, y)) - (image(x + 1, y) - truth(x + 1, y));
-            pairs += 1;
-            alike += dot(difference, difference) < 0.03 * rmse * rmse;
-        }
-    return pairs > 0 ? alike / pairs : 0;
-}
-
-BlockError largest_block_error(const std::vector<bool>& mask, const Image& image, const Image& truth, int side) {
-    const int columns = (truth.width() + side - 1) / side, rows = (truth.height() + side - 1) / side;
-    std::vector<Color> sums(static_cast<std::size_t>(columns * rows));
-    std::vector<int> counts(sums.size());
-    std::size_t pixel = 0;
-    for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x, ++pixel) {
-            if (!mask[pixel]) continue;
-            const auto block = static_cast<std::size_t>(y / side * columns + x / side);
-            sums[block] = sums[block] + (image(x, y) - truth(x, y));
-            ++counts[block];
-        }
-    BlockError largest{0, 0, 0};
-    for (std::size_t block = 0; block < sums.size(); ++block) {
-        if (2 * counts[block] < side * side) continue;
-        const double error = std::sqrt(dot(sums[block], sums[block]) / 3) / counts[block];
-        const int column = static_cast<int>(block) % columns, row = static_cast<int>(block) / columns;
-        if (error > largest.error) largest = {error, column * side + side / 2, row * side + side / 2};
-    }
-    return largest;
-}

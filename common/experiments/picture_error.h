@@ -21,15 +21,3 @@ ImageError image_error(const std::vector<bool>& mask, const Image& image, const 
 
 // The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
 double share_within_two(const std::vector<bool>& mask, const Image& image, const Image& truth, const Image& predicted);
-
-// The fraction of horizontally neighbouring pixels whose errors, as vectors, differ by less than a tenth of the RMSE of
-// all channels: 1 where they share everything, more than chance where they share a rule.
-double alike_neighbours(const std::vector<bool>& mask, const Image& image, const Image& truth, double rmse);
-
-// The block of side x side pixels whose mean differs most from the truth's, of those blocks from the left and the top
-// of which at least half shows an object: the root mean square over the channels, and the block's centre.
-struct BlockError {
-    double error;
-    int x, y;
-};
-BlockError largest_block_error(const std::vector<bool>& mask, const Image& image, const Image& truth, int side);

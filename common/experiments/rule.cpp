@@ -7,12 +7,12 @@
 
 namespace {
 
-void add_sample(Samples& samples, const Row& row, std::size_t columns) {
+void add_sample(Samples& samples, const InputRow& row, std::size_t columns) {
     const auto fail = [&](const std::string& problem) {
         throw std::runtime_error("line " + std::to_string(row.line) + ": " + problem);
     };
     const std::vector<double>& numbers = row.numbers;
-    if (numbers.size() != columns || columns < 3 || columns > 4)
+    if (numbers.size() != columns || columns < 3 || columns > 5)
         fail(line("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
     const Vec3 direction{numbers[0], numbers[1], numbers[2]};
     if (!(std::fabs(length(direction) - 1) <= 1e-6))
@@ -34,8 +34,8 @@ std::string matrix_block(const char* name, const Matrix& matrix) {
 
 Samples read_samples(std::istream& in) {
     Samples samples;
-    const std::vector<Row> rows = read_rows(in, max_process_samples);
-    for (const Row& row : rows) add_sample(samples, row, rows[0].numbers.size());
+    const std::vector<InputRow> rows = read_rows(in, max_process_samples);
+    for (const InputRow& row : rows) add_sample(samples, row, rows[0].numbers.size());
     return samples;
 }
 

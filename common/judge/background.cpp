@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "judge/picture_file.h"
+#include "scene/scene.h"
 
 namespace {
 
@@ -13,13 +13,13 @@ double missing_codes(double here, double right, double largest, int maxval) {
     return maxval > 0 ? maxval * (srgb_encoded(right) - srgb_encoded(here)) : 128 * (right - here) / largest;
 }
 
-Background compared(const Image& picture, int maxval, const Image& expected, const std::vector<bool>& mask) {
+Background compared(const PictureFile& picture, const Truth& expected) {
+    const int maxval = picture.maxval;
     double count = 0, differing = 0, channels = 0, lacking = 0;
-    std::size_t pixel = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x, ++pixel) {
-            if (mask[pixel]) continue;
-            const Color here = picture(x, y), right = expected(x, y);
+    for (int y = 0; y < picture.image.height(); ++y)
+        for (int x = 0; x < picture.image.width(); ++x) {
+            if (expected.shows_object(x, y)) continue;
+            const Color here = picture.image(x, y), right = expected.image(x, y);
             const double largest = std::max({right.x, right.y, right.z, 1e-6});
             bool differs = false;
             for (const auto& [a, b] : {std::pair(here.x, right.x), {here.y, right.y}, {here.z, right.z}}) {
@@ -32,24 +32,23 @@ Background compared(const Image& picture, int maxval, const Image& expected, con
             differing += differs;
             count += 1;
         }
-    return {count > 0 ? differing / count : 0, channels > 100 && maxval > 0 ? lacking / channels : 0};
+    count = std::max(1.0, count);
+    return {differing / count, std::max(0.001, 2 / count), channels > 100 && maxval > 0 ? lacking / channels : 0};
 }
 
-Image with_texels(const EnvironmentMap& environment, Image truth, const std::vector<bool>& mask) {
-    const Camera camera{truth.width(), truth.height()};
-    std::size_t pixel = 0;
-    for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x, ++pixel)
-            if (!mask[pixel]) truth.set(x, y, environment.radiance(camera.ray(x, y).direction));
+Truth with_texels(Truth truth, const EnvironmentMap& environment) {
+    const Camera camera{truth.image.width(), truth.image.height()};
+    for (int y = 0; y < truth.image.height(); ++y)
+        for (int x = 0; x < truth.image.width(); ++x)
+            if (!truth.shows_object(x, y)) truth.image.set(x, y, environment.radiance(camera.ray(x, y).direction));
     return truth;
 }
 
 }  // namespace
 
-Background background_of(const Image& picture, int maxval, const Image& truth, const std::vector<bool>& mask,
-                         const EnvironmentMap& environment) {
-    const Background interpolated = compared(picture, maxval, truth, mask),
-                     texels = compared(picture, maxval, with_texels(environment, truth, mask), mask);
+Background background_of(const PictureFile& picture, const Truth& truth, const EnvironmentMap& environment) {
+    const Background interpolated = compared(picture, truth),
+                     texels = compared(picture, with_texels(truth, environment));
     return texels.differing < interpolated.differing ? texels : interpolated;
 }
 

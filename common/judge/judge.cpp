@@ -12,15 +12,18 @@
 
 namespace {
 
-std::string picture_report(const PictureJudgement& judgement, const std::string& wanted) {
+std::string picture_report(const PictureJudgement& judgement) {
     std::string text = "# quantity           here     expected       spread   accepted from and to\n", outside;
-    for (const Quantity& q : judgement.quantities) {
-        text += line("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name, q.here, q.expected, q.spread, q.low, q.high);
-        if (!q.fits()) outside += (outside.empty() ? "" : ", ") + std::string(q.name);
+    for (const Quantity& q : judgement.comparison.quantities) {
+        text += line("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.here, q.expected, q.spread, q.low,
+                     q.high);
+        if (!q.fits()) outside += (outside.empty() ? "" : ", ") + q.name;
     }
-    text += line("# The block that errs most is around column %d, row %d.\n", judgement.block_x, judgement.block_y) +
-            (judgement.resembles.empty() ? "" : "# The numbers resemble most those of " + judgement.resembles + ".\n");
-    if (judgement.fits() && judgement.resembles != wanted) text += "# But not so much as to tell which it is.\n";
+    const Lag lag = lag_of(judgement.comparison.strangest);
+    text += line(
+        "# The block that errs most is around column %d, row %d; \"repeats\" is of pixels %d columns and %d rows "
+        "apart.\n",
+        judgement.block.x, judgement.block.y, lag.x, lag.y);
     if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
     return text + "# Verdict: not what correct programs do, by " + outside +
            (judgement.mistake.empty() ? "" : "; likely: " + judgement.mistake) + ".\n";
@@ -54,7 +57,7 @@ Outcome Judge::report() const {
 Outcome Judge::judge_picture_file() const {
     if (correct.samples > 1000) throw UsageError("judge: --samples: at most 1000 can be judged");
     const EnvironmentMap light = load_environment(environment);
-    std::optional<Picture> picture;
+    std::optional<PictureFile> picture;
     read_input(file, [&](std::istream& in) {
         if (in.peek() != 'P') throw std::runtime_error("neither a PPM nor a PFM; for a table give --integrand NAME");
         picture = read_picture(in);
@@ -63,7 +66,7 @@ Outcome Judge::judge_picture_file() const {
     const std::string codes = picture->maxval > 0 ? line("codes to %d", picture->maxval) : "linear floats";
     return {line("# %d x %d pixels, %s, beside correct ones of %s\n", picture->image.width(), picture->image.height(),
                  codes.c_str(), options_of(correct).c_str()) +
-                picture_report(judgement, options_of(correct)),
+                picture_report(judgement),
             judgement.fits() ? 0 : 1};
 }
 

@@ -10,146 +10,17 @@
 #include "judge/background.h"
 #include "judge/correct_pictures.h"
 #include "judge/likely_mistakes.h"
-#include "numerics/cholesky.h"
+#include "judge/mistaken_pictures.h"
 
 namespace {
 
-// Standard deviations that a number may be away from the mean, for a correct picture to be called wrong once in
-// thousands: more for one rule, whose numbers have longer tails than normal ones.
-double accepted_deviations(const RenderSettings& settings) { return shares_one_rule(settings) ? 6 : 5; }
-
-// Minus the logarithm of the density, up to a constant, that the numbers have after n others: Student's with n - 1
-// degrees of freedom for each.
-double unlikelihood(const Numbers& numbers, const std::vector<Numbers>& others) {
-    const double n = static_cast<double>(others.size());
-    double sum = 0;
-    for (std::size_t i = 0; i < quantity_count; ++i) {
-        const Spread spread(others, i);
-        const double deviation = (scales[i].to(numbers[i]) - spread.mean) / spread.deviation;
-        sum += n / 2 * portable::log(1 + deviation * deviation / (n - 1)) + portable::log(spread.deviation);
-    }
-    return sum;
+// More for one rule, whose numbers have longer tails than normal ones.
+Accepted accepted_of(const RenderSettings& settings) {
+    return shares_one_rule(settings) ? Accepted{6, 10} : Accepted{5, 6};
 }
 
-// How far the numbers are from the mean of others, in standard deviations along the ellipsoid that these scatter in
-// (Mahalanobis, 1936): an unlucky rule errs more and more alike, so more with less alike tells a mistake.
-double joint_deviation(const Numbers& numbers, const std::vector<Numbers>& others) {
-    const double n = static_cast<double>(others.size());
-    std::vector<double> mean, difference;
-    for (std::size_t i = 0; i < quantity_count; ++i) {
-        mean.push_back(Spread(others, i).mean);
-        difference.push_back(scales[i].to(numbers[i]) - mean[i]);
-    }
-    Matrix covariance(quantity_count, quantity_count);
-    for (std::size_t i = 0; i < quantity_count; ++i)
-        for (std::size_t j = i; j < quantity_count; ++j) {
-            for (const Numbers& other : others)
-                covariance(i, j) += (scales[i].to(other[i]) - mean[i]) * (scales[j].to(other[j]) - mean[j]);
-            covariance(i, j) *= (1 + 1 / n) / (n - 1);
-            if (i == j) covariance(i, i) += scales[i].floor * scales[i].floor;
-        }
-    double sum = 0;
-    for (const double whitened : Cholesky(covariance).solve_lower(difference)) sum += whitened * whitened;
-    return std::sqrt(sum);
-}
-
-// Of a method that shares rules a picture is one sample; pixels of Monte Carlo are many, and take longer.
-std::size_t seeds_for(const RenderSettings& settings) {
-    return settings.method == Method::mc && !shares_one_rule(settings) ? 20 : 40;
-}
-
-constexpr std::size_t candidate_seeds = 8;
-
-// The joint deviation from n others that one picture in 50,000 exceeds, were the numbers normal: (n - k) / (k (n - 1))
-// of its square is then distributed as F with k and n - k degrees of freedom (Hotelling, 1931), k = quantity_count.
-double accepted_joint_deviation(std::size_t n) { return n == 20 ? 9.9 : 7; }
-
-// The quantities of a picture with such numbers among correct ones, and of its background.
-std::vector<Quantity> quantities_of(const Numbers& here, const std::vector<Numbers>& correct, double deviations,
-                                    double differing, double background_pixels) {
-    std::vector<Quantity> quantities = {
-        {"background", differing, 0, 0, 0, std::max(0.001, 2 / std::max(1.0, background_pixels))}};
-    for (std::size_t i = 0; i < quantity_count; ++i) {
-        const Scale& scale = scales[i];
-        const double n = static_cast<double>(correct.size());
-        double mean = 0, variance = 0;
-        for (const Numbers& numbers : correct) mean += numbers[i] / n;
-        for (const Numbers& numbers : correct) variance += (numbers[i] - mean) * (numbers[i] - mean) / (n - 1);
-        const Spread spread(correct, i);
-        const double reach = deviations * spread.deviation;
-        quantities.push_back({scale.name, here[i], mean, std::sqrt(variance), scale.from(spread.mean - reach),
-                              scale.from(spread.mean + reach)});
-    }
-    quantities.push_back(
-        {"together", joint_deviation(here, correct), 0, 0, 0, accepted_joint_deviation(correct.size())});
-    return quantities;
-}
-
-// The likeliest of the candidates, the logarithm of how many times likelier it is than the first, and the most that is
-// accepted of it: correct pictures whose numbers are of two kinds, as with and without the sun, have much of it too.
-struct Resemblance {
-    Candidate likeliest;
-    double excess, accepted;
-};
-
-// All candidates would take long at full size. The rays of small pictures are not those of a thinned one, so these have
-// a truth of their own.
-Resemblance resemblance(const Image& image, const Truth& truth, const std::vector<Numbers>& correct_at_full_size,
-                        const std::vector<Candidate>& candidates, int step, Studio& studio) {
-    const Truth thin{thinned(truth.image, step), thinned(truth.mask, image.width(), image.height(), step)};
-    const Numbers here = thin.numbers(thinned(image, step));
-    RenderSettings small = candidates[0].settings;
-    small.width = thin.image.width();
-    small.height = thin.image.height();
-    const Truth small_truth = step == 1 ? truth : studio.truth(studio.dense(small));
-    const std::vector<Numbers> correct =
-        step == 1 ? correct_at_full_size : studio.numbers(candidates[0], small_truth, seeds_for(small));
-    const auto excess_of = [](const Numbers& numbers, const std::vector<Numbers>& first,
-                              const std::vector<Numbers>& others) {
-        return unlikelihood(numbers, first) - unlikelihood(numbers, others);
-    };
-    Resemblance best{candidates[0], 0, 10};
-    std::vector<Numbers> best_numbers = correct;
-    for (std::size_t i = 1; i < candidates.size(); ++i) {
-        std::vector<Numbers> others;
-        try {
-            others = studio.numbers(candidates[i], small_truth, candidate_seeds);
-        } catch (const NotPositiveDefinite&) {
-            continue;  // no program makes pictures with so many samples
-        }
-        const double excess = excess_of(here, correct, others);
-        if (excess <= best.excess) continue;
-        best = {candidates[i], excess, 10};
-        best_numbers = std::move(others);
-    }
-    for (std::size_t i = 0; i < correct.size(); ++i) {
-        std::vector<Numbers> rest = correct;
-        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-        best.accepted = std::max(best.accepted, 10 + excess_of(correct[i], rest, best_numbers));
-    }
-    return best;
-}
-
-// What the pattern of the errors tells of a picture that should be of the settings but is not; or an empty text.
-std::string mistake_by_pattern(const PictureJudgement& judgement, const Candidate& likeliest,
-                               const RenderSettings& settings) {
-    const auto misfits = std::count_if(judgement.quantities.begin(), judgement.quantities.end(),
-                                       [](const Quantity& quantity) { return !quantity.fits(); });
-    if (misfits == 1 && !judgement.fits("background"))
-        return "the environment is looked up beside the place, or between other centres of texels";
-    const auto rmse = std::find_if(judgement.quantities.begin(), judgement.quantities.end(),
-                                   [](const Quantity& quantity) { return std::string(quantity.name) == "rmse"; });
-    if (rmse->here > 2 * rmse->expected && !judgement.fits("correlation"))
-        return "an error that neighbouring pixels share, largest in the block above";
-    const Method seems = likeliest.settings.method, wanted = settings.method;
-    const bool of_another = !judgement.fits("alike") || !judgement.fits("unlike");
-    if (of_another && !likeliest.turns && wanted != Method::single) return "the rules are not turned";
-    if (of_another && seems == Method::single) return "one rule for all pixels, not turned";
-    if (of_another && seems == Method::rotated && wanted != Method::mc && wanted != Method::rotated)
-        return "one rule for all pixels, if turned";
-    if (of_another && seems == Method::mc) return "weights of Monte Carlo, or samples turned one by one";
-    if (judgement.fits("rmse") && judgement.fits("brightness")) return "";
-    return "wrong weights, another number of samples, or samples that are not around the normal";
+Comparison compared(const Numbers& here, const std::vector<Numbers>& correct, const RenderSettings& settings) {
+    return compared(here, correct, accepted_of(settings));
 }
 
 // The settings at the picture's size.
@@ -164,66 +35,107 @@ RenderSettings sized(RenderSettings settings, const Image& picture) {
     return settings;
 }
 
-// Of the dense rule, of the correct pictures, and of the small ones.
-double rays_for(const std::vector<Candidate>& candidates, int step) {
-    const RenderSettings& settings = candidates[0].settings;
-    const int width = settings.width, height = settings.height;
-    const auto of_truth_and_correct = [&](int w, int h) {
-        return static_cast<double>(dense_samples) * w * h +
-               static_cast<double>(seeds_for(settings)) * Studio::rays(candidates[0], w, h);
+Image clamped(Image image) {
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const Color c = image(x, y);
+            image.set(x, y, {std::min(c.x, 1.0), std::min(c.y, 1.0), std::min(c.z, 1.0)});
+        }
+    return image;
+}
+
+// The other methods, and the same with other numbers of samples.
+std::vector<RenderSettings> others(const RenderSettings& settings) {
+    std::vector<RenderSettings> all;
+    for (const auto& each : method_names) {
+        all.push_back(settings);
+        all.back().method = each.second;
+    }
+    for (const std::size_t samples : {settings.samples / 4, settings.samples / 2, 2 * settings.samples}) {
+        all.push_back(settings);
+        all.back().samples = std::max<std::size_t>(1, samples);
+    }
+    return all;
+}
+
+// The picture with its objects so many times as bright.
+Image brightened(const Image& picture, const Truth& truth, double factor) {
+    Image image = picture;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (truth.shows_object(x, y)) image.set(x, y, factor * picture(x, y));
+    return image;
+}
+
+// What makes such pictures: a factor, another method or number of samples, whichever correct pictures of are nearest,
+// if these would be accepted; or an empty text.
+std::string resembled(const Image& picture, const Truth& truth, const RenderSettings& settings,
+                      const std::vector<Numbers>& correct, const Studio& studio) {
+    const Numbers here = numbers_of(picture, truth);
+    std::string name;
+    double least = HUGE_VAL;
+    const auto consider = [&](const std::string& text, const Comparison& comparison) {
+        const double deviation = comparison["together"].here;
+        if (!comparison.fits() || deviation >= least) return;
+        least = deviation;
+        name = text;
     };
-    double rays = of_truth_and_correct(width, height);
-    if (step > 1) rays += of_truth_and_correct(width / step, height / step);
-    for (std::size_t i = 1; i < candidates.size(); ++i)
-        rays += candidate_seeds * Studio::rays(candidates[i], width / step, height / step);
-    return rays;
+    const double factor = 1 + here[1];
+    const std::string reason = factor_name(factor, factors, 0.02);
+    consider(line("what shows an object is %.3g times as bright", factor) + (reason.empty() ? "" : ": " + reason),
+             compared(numbers_of(brightened(picture, truth, 1 / factor), truth), correct, settings));
+    for (const RenderSettings& other : others(settings)) {
+        try {
+            const Comparison few = compared(here, studio.numbers(other, truth, 6), other);
+            if (few["rmse"].fits() && few["brightness"].fits() && few["correlation"].fits())
+                consider("the picture is as of " + options_of(other),
+                         compared(here, studio.numbers(other, truth, seeds), other));
+        } catch (const NotPositiveDefinite&) {
+            continue;  // no program makes pictures with so many samples
+        }
+    }
+    return name;
+}
+
+// What the pattern of the errors tells, or an empty text.
+std::string pattern(const Comparison& comparison) {
+    const Lag lag = lag_of(comparison.strangest);
+    if (comparison["repeats"].here > comparison["repeats"].high)
+        return line("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
+    if (comparison["rmse"].fits() && (comparison["alike"].here > comparison["alike"].high ||
+                                      comparison["correlation"].here > comparison["correlation"].high))
+        return "neighbouring pixels share random numbers, or rules that are not turned";
+    return "";
 }
 
 }  // namespace
 
-bool PictureJudgement::fits(const std::string& name) const {
-    return std::all_of(quantities.begin(), quantities.end(),
-                       [&](const Quantity& q) { return q.name != name || q.fits(); });
-}
-
-bool PictureJudgement::fits() const {
-    return std::all_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) { return quantity.fits(); });
-}
-
-PictureJudgement judge_picture(const Picture& picture, const EnvironmentMap& environment, const RenderSettings& wanted,
-                               const Progress& progress) {
-    const int maxval = picture.maxval;
+PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap& environment,
+                               const RenderSettings& wanted, const Progress& progress) {
     const RenderSettings settings = sized(wanted, picture.image);
-    const std::vector<Candidate> candidates = candidates_for(settings);
-    const int step = std::max(1, std::min(settings.width, settings.height) / 150);
-    Studio studio(environment, maxval, progress);
-    studio.expect(rays_for(candidates, step));
-
-    const Image dense = studio.dense(settings);
-    const Truth truth = studio.truth(dense);
-    const Background background = background_of(picture.image, maxval, truth.image, truth.mask, environment);
-    const Image image = maxval > 0 ? unrounded(picture.image, maxval, background.offset) : picture.image;
-    const Numbers here = truth.numbers(image);
+    const Studio studio(environment, picture.maxval);
+    const Truth dense{studio.dense(settings), object_mask(sphere_scene(), settings.width, settings.height)};
+    const Truth truth{picture.maxval > 0 ? clamped(dense.image) : dense.image, dense.mask};
+    const Background background = background_of(picture, truth, environment);
+    const Image image =
+        picture.maxval > 0 ? unrounded(picture.image, picture.maxval, background.offset) : picture.image;
+    const Numbers here = numbers_of(image, truth);
     if (!std::isfinite(here[1]))
         throw std::invalid_argument("the environment lights no object, so there is nothing to judge; take another");
-    const BlockError block = largest_block_error(truth.mask, image, truth.image, truth.block_side());
-    const std::vector<Numbers> correct = studio.numbers(candidates[0], truth, seeds_for(settings));
-    const auto background_pixels = static_cast<double>(std::count(truth.mask.begin(), truth.mask.end(), false));
-    PictureJudgement judgement{
-        quantities_of(here, correct, accepted_deviations(settings), background.differing, background_pixels), block.x,
-        block.y, "", ""};
-
-    const Resemblance best = resemblance(image, truth, correct, candidates, step, studio);
-    const bool other_method = best.likeliest.settings.method != settings.method || !best.likeliest.turns;
-    judgement.quantities.push_back({"unlike", other_method ? best.excess : 0, 0, 0, 0, best.accepted});
-    judgement.resembles = best.likeliest.name;
-    studio.finish();
+    const std::vector<Numbers> correct = studio.numbers(settings, truth, seeds, progress);
+    PictureJudgement judgement{compared(here, correct, settings), largest_block_error(image, truth), ""};
+    std::vector<Quantity>& quantities = judgement.comparison.quantities;
+    quantities.insert(quantities.begin(), {"background", background.differing, 0, 0, 0, background.accepted});
     if (judgement.fits()) return judgement;
-    judgement.mistake =
-        likely_mistake(environment, picture.image, maxval, dense, settings.samples, judgement.fits("background"));
+
+    const double rmse = judgement.comparison["rmse"].high;
+    if (!quantities[0].fits()) {
+        judgement.mistake = mistake_of_whole(picture, dense, rmse);
+        return judgement;
+    }
+    judgement.mistake = resembled(image, truth, settings, correct, studio);
     if (judgement.mistake.empty())
-        judgement.mistake = mistake_by_pattern(judgement, best.likeliest, settings);
-    else
-        judgement.resembles.clear();  // the numbers of a picture that is wrong as a whole resemble nothing
+        judgement.mistake = mistake_of_objects(picture, dense, environment, settings.samples, 1.5 * rmse);
+    if (judgement.mistake.empty()) judgement.mistake = pattern(judgement.comparison);
     return judgement;
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "experiments/command.h"
+#include "judge/likely_mistakes.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ constexpr double least_spread = 0.02;
 // What a correct estimate may differ from an error of 0 by: rounding.
 constexpr double rounding = 1e-6;
 
-std::size_t samples_of(const Row& row) {
+std::size_t samples_of(const InputRow& row) {
     const auto fail = [&](const std::string& problem) {
         throw std::runtime_error("line " + std::to_string(row.line) + ": " + problem);
     };
@@ -47,19 +48,38 @@ Cell cell(double here, const AbsoluteErrors& errors, std::size_t estimates) {
     return {here, errors.mean(), std::max(least_spread, errors.deviation() / errors.mean() * std::sqrt(share))};
 }
 
-std::string column_report(const Column& column) {
+// What makes of correct cells what these are, or an empty text.
+std::string likely_mistake(const Column& column, double truth) {
+    const double ratio = column.mean_ratio(), tolerance = column.accepted_factor() - 1;
+    if (std::any_of(column.cells.begin(), column.cells.end(), [](const Cell& c) { return c.here < 0; }))
+        return "an error is negative: absolute values are asked for";
+    if (std::fabs(ratio - 1) <= tolerance)
+        return line("errors scatter more than means of %zu do: fewer estimates, or one set of directions for all",
+                    column.estimates);
+    Column scaled = column;
+    for (Cell& c : scaled.cells) c.here /= ratio;
+    if (!(ratio > 0) || !scaled.fits()) return "";
+    std::string name = line("all are about %.2g times the expected", ratio);
+    if (std::fabs(ratio * truth - 1) <= tolerance) name += ": relative to the integral";
+    for (const std::string& known :
+         {factor_name(ratio, factors, tolerance), factor_name(ratio, factors_of_means, tolerance)})
+        if (!known.empty()) name += ": " + known;
+    return name;
+}
+
+bool fits_if_exchanged(const TableJudgement& judgement) {
+    Column mc = judgement.mc, bmc = judgement.bmc;
+    for (std::size_t i = 0; i < mc.cells.size(); ++i) std::swap(mc.cells[i].here, bmc.cells[i].here);
+    return mc.fits() && bmc.fits();
+}
+
+std::string column_report(const Column& column, double truth) {
     const double factor = column.accepted_factor();
-    std::string text =
+    const std::string text =
         line("# %s: mean ratio %.4g, accepted from %.4g to %.4g; scatter %.4g spreads, accepted to %.4g.\n",
              column.name.c_str(), column.mean_ratio(), 1 / factor, factor, column.scatter(), column.accepted_scatter());
-    if (column.fits()) return text;
-    if (std::any_of(column.cells.begin(), column.cells.end(), [](const Cell& c) { return c.here < 0; }))
-        return text + "#   An error is negative: absolute values are asked for.\n";
-    if (column.mean_ratio() <= factor && column.mean_ratio() >= 1 / factor)
-        text +=
-            line("#   Errors scatter more than means of %zu do: fewer estimates, or one set of directions for all.\n",
-                 column.estimates);
-    return text;
+    const std::string mistake = column.fits() ? "" : likely_mistake(column, truth);
+    return text + (mistake.empty() ? "" : "#   Likely: " + mistake + ".\n");
 }
 
 }  // namespace
@@ -105,19 +125,20 @@ bool Column::fits() const {
     return ratio <= factor && ratio >= 1 / factor && scatter() <= accepted_scatter();
 }
 
-TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const ModelSettings& settings) {
-    TableJudgement judgement{{}, {"MC", 100, {}}, {"BMC", 10, {}}};
+TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& integrand,
+                           const ModelSettings& settings) {
+    TableJudgement judgement{{}, {"MC", 100, {}}, {"BMC", 10, {}}, integrand.truth};
     ModelSettings others = settings;
     others.seed = 1000000;
     const std::unique_ptr<Covariance> covariance = settings.make_covariance();
-    for (const Row& row : rows) {
+    for (const InputRow& row : rows) {
         const std::size_t n = samples_of(row);
         if (std::count(judgement.samples.begin(), judgement.samples.end(), n) > 0)
             throw std::runtime_error(
                 line("line %zu: %zu samples a second time; leave one table in the file", row.line, n));
         judgement.samples.push_back(n);
     }
-    for (const Row& row : rows) {
+    for (const InputRow& row : rows) {
         const auto n = static_cast<std::size_t>(row.numbers[0]);
         // Few where Q is large: the time grows as n^3.
         const std::size_t estimates = std::clamp<std::size_t>(100000 / n, 100, 1000);
@@ -143,7 +164,8 @@ std::string table_report(const TableJudgement& judgement) {
             text += line(" %12.5g %12.5g %8.3f %8.3f", c.here, c.expected, c.ratio(), c.spread);
         text += '\n';
     }
-    text += column_report(judgement.mc) + column_report(judgement.bmc);
+    text += column_report(judgement.mc, judgement.truth) + column_report(judgement.bmc, judgement.truth);
+    if (!judgement.fits() && fits_if_exchanged(judgement)) text += "#   Likely: the columns are exchanged.\n";
     if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
     return text + "# Verdict: not what correct programs do, by " +
            (judgement.mc.fits()    ? "BMC"

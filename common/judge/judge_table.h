@@ -40,13 +40,15 @@ struct Column {
 struct TableJudgement {
     std::vector<std::size_t> samples;
     Column mc, bmc;
+    double truth;  // the integral
 
     bool fits() const { return mc.fits() && bmc.fits(); }
 };
 
 // The rows "samples, error of Monte Carlo, error of Bayesian Monte Carlo", whatever follows in them, as means of 100
 // and of 10 estimates. Throws std::runtime_error that names the line for other rows.
-TableJudgement judge_table(const std::vector<Row>& rows, const Integrand& integrand, const ModelSettings& settings);
+TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& integrand,
+                           const ModelSettings& settings);
 
 // The judgement as text, to the verdict.
 std::string table_report(const TableJudgement& judgement);

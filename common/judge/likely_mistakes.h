@@ -1,22 +1,43 @@
-// What the usual mistakes make of a picture, so that the one which a wrong picture shows can be named.
+// The usual mistakes by which a picture or a column of a table is off: for the judge, and for the comparison with a
+// reference.
 #pragma once
 
 #include "numerics/portable_math.h"
 
+#include <cmath>
 #include <string>
-#include <vector>
 
-#include "scene/environment.h"
-#include "scene/image.h"
-#include "scene/scene.h"
+struct Mirroring {
+    const char* name;
+    bool left_right, up_down;
+};
+constexpr Mirroring mirrorings[] = {
+    {"upside down", false, true}, {"mirrored, left for right", true, false}, {"turned by 180 degrees", true, true}};
 
-// Every pixel whose column and row leave the remainder step / 2 when divided by step, at most the smaller side; and of
-// a mask of width x height pixels.
-Image thinned(const Image& image, int step);
-std::vector<bool> thinned(const std::vector<bool>& mask, int width, int height, int step);
+struct Factor {
+    const char* name;
+    double factor;
+};
+constexpr Factor factors[] = {{"1 / pi is missing, or pi too often", portable::pi},
+                              {"divided by pi once too often", 1 / portable::pi},
+                              {"2 pi too often", 2 * portable::pi},
+                              {"2 pi is missing", 1 / (2 * portable::pi)},
+                              {"weights pi / N in place of 2 pi / N", 0.5},
+                              {"weights 4 pi / N in place of 2 pi / N, or added twice", 2}};
+constexpr Factor factors_of_means[] = {
+    {"a sum of 10 in place of the mean", 10},
+    {"a sum of 100 in place of the mean", 100},
+    {"root mean squares in place of means of absolute errors", 1.2533}};  // sqrt(pi / 2)
 
-// The mistake that makes of the truth what the picture is: in the background, which has no noise, or else, if
-// that fits, in the objects; an empty text if none comes clearly closer than the truth. The truth is not clamped;
-// maxval is that of the picture.
-std::string likely_mistake(const EnvironmentMap& environment, const Image& picture, int maxval, const Image& truth,
-                           std::size_t samples, bool background_fits);
+// Which of the known factors, nearest and within a relative tolerance, it is; or an empty text.
+template <std::size_t count>
+std::string factor_name(double factor, const Factor (&known)[count], double tolerance) {
+    std::string name;
+    for (const Factor& each : known) {
+        const double off = std::fabs(factor / each.factor - 1);
+        if (off > tolerance) continue;
+        name = each.name;
+        tolerance = off;
+    }
+    return name;
+}

@@ -25,9 +25,10 @@ class PictureReader {
 public:
     explicit PictureReader(std::streambuf& bytes) : bytes_(bytes) {}
 
-    Picture read() {
+    PictureFile read() {
         std::string magic;
         for (int i = 0; i < 2 && bytes_.sgetc() != end_of_file; ++i) magic += static_cast<char>(bytes_.sbumpc());
+        if (magic == "\x89P") fail("a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
         if (magic != "P3" && magic != "P6" && magic != "PF")
             fail("not a picture that is known here: it should begin with P6 or P3 (PPM) or with PF (PFM in colour)");
         is_text_ = magic == "P3";
@@ -39,7 +40,10 @@ public:
         const auto values = static_cast<std::size_t>(width_) * 3;
         if (!is_text_) require_one_space();
         for (rows_ = 0; rows_ < height_; ++rows_) is_ppm ? read_codes(values, maxval) : read_floats(values);
-        return {image(!is_ppm), maxval == 65535 && is_widened_ ? 255 : maxval};
+        const int largest = narrow_to_bytes(maxval);
+        const std::vector<float> decoded = decoded_codes(largest);
+        for (const int code : codes_) rgb_.push_back(decoded[static_cast<std::size_t>(code)]);
+        return {image(!is_ppm), largest};
     }
 
 private:
@@ -89,7 +93,10 @@ private:
     }
 
     void require_one_space() {
-        if (!is_space(bytes_.sbumpc())) fail("after the header there should be one space or line break");
+        const int c = bytes_.sbumpc();
+        if (!is_space(c)) fail("after the header there should be one space or line break");
+        if (c == '\r' && bytes_.sgetc() == '\n')
+            fail("CR and LF end the header: were its line ends converted? write the file in binary mode");
     }
 
     unsigned byte() {
@@ -99,7 +106,6 @@ private:
     }
 
     void read_codes(std::size_t values, int maxval) {
-        if (decoded_.empty()) decoded_ = decoded_codes(maxval);
         for (std::size_t i = 0; i < values; ++i) {
             int code;
             if (is_text_) {
@@ -110,9 +116,25 @@ private:
                 if (code > maxval)
                     fail("code " + std::to_string(code) + " exceeds the largest, " + std::to_string(maxval));
             }
-            is_widened_ = is_widened_ && code % 257 == 0;
-            rgb_.push_back(decoded_[static_cast<std::size_t>(code)]);
+            codes_.push_back(static_cast<std::uint16_t>(code));
         }
+    }
+
+    // Codes to 255 that were widened, by a factor and rounded in whatever way or by a shift, become codes to 255 again.
+    // Returns the largest code.
+    int narrow_to_bytes(int maxval) {
+        const auto byte_of = [&](int code) { return (255 * code + maxval / 2) / maxval; };
+        const auto is_scaled = [&](int code) { return std::fabs(code - byte_of(code) * maxval / 255.0) < 1; };
+        const auto is_shifted = [](int code) { return code % 256 == 0; };
+        if (maxval <= 255) return maxval;
+        if (std::all_of(codes_.begin(), codes_.end(), is_scaled)) {
+            for (std::uint16_t& code : codes_) code = static_cast<std::uint16_t>(byte_of(code));
+        } else if (maxval == 65535 && std::all_of(codes_.begin(), codes_.end(), is_shifted)) {
+            for (std::uint16_t& code : codes_) code >>= 8;
+        } else {
+            return maxval;
+        }
+        return 255;
     }
 
     void read_floats(std::size_t values) {
@@ -137,16 +159,16 @@ private:
 
     std::streambuf& bytes_;
     bool is_text_ = false;
-    bool is_widened_ = true;  // every code of 0 to 65535 is one of 0 to 255 times 257
     int width_ = 0, height_ = 0;
     int rows_ = -1;        // that are read; -1: the header is
     int first_byte_ = -1;  // of a float, where 0 is the lowest; -1: no floats
-    std::vector<float> decoded_, rgb_;
+    std::vector<std::uint16_t> codes_;
+    std::vector<float> rgb_;
 };
 
 }  // namespace
 
-Picture read_picture(std::istream& in) { return PictureReader(*in.rdbuf()).read(); }
+PictureFile read_picture(std::istream& in) { return PictureReader(*in.rdbuf()).read(); }
 
 double srgb_encoded(double linear) {
     if (!(linear > 0)) return 0;

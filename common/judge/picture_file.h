@@ -5,17 +5,17 @@
 
 #include <iosfwd>
 
-struct Picture {
+struct PictureFile {
     Image image;  // linear radiance
     int maxval;   // the largest code of a channel, which stands for 1; 0: the file held linear floats
 };
 
 // Reads a picture from a binary stream: PPM, binary (P6) or in words (P3), sRGB with any largest code from 1 to 65535;
-// or PFM in colour (PF), linear floats of either byte order. Codes to 255 that were widened to 65535, each times 257,
-// are read as codes to 255. Headers, and all of a P3, may hold comments; what follows the picture is not read. Memory
+// or PFM in colour (PF), linear floats of either byte order. Codes to 255 that were widened, to 1000 or 65535 say, are
+// read as codes to 255. Headers, and all of a P3, may hold comments; what follows the picture is not read. Memory
 // follows what the file holds, not what its header claims. Throws std::runtime_error whose text is one line: what is
 // wrong and, within the picture, in which row (0 at the top).
-Picture read_picture(std::istream& in);
+PictureFile read_picture(std::istream& in);
 
 // The code in [0, 1] of a linear value, clamped to [0, 1], by the sRGB transfer function; 0 for nan.
 double srgb_encoded(double linear);

@@ -1,6 +1,8 @@
 // The tolerant half of compare: whether the output of another program agrees, and if not, what a person would see.
 #include "compare.h"
 
+#include "judge/likely_mistakes.h"
+#include "scene/image.h"
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -97,6 +99,12 @@ std::vector<Table> parse_tables(const Lines& reference, const Lines& actual, dou
     return tables;
 }
 
+// What makes results so many times as large, in brackets, if it is known.
+std::string reason(double ratio) {
+    const std::string name = factor_name(ratio, factors, 0.005);
+    return name.empty() ? "" : " (" + name + ")";
+}
+
 // The one number that these are of their references; 0 if there is none.
 double common_ratio(const std::vector<Cell>& cells) {
     double ratio = 0;
@@ -116,7 +124,8 @@ std::string describe_column(const Table& table, std::size_t column, const std::v
     const auto all = [&](auto property) { return std::all_of(cells.begin(), cells.end(), property); };
     if (all([](const Cell& cell) { return cell.actual == 0; })) return "all of " + name + " is 0";
     const double ratio = common_ratio(cells);
-    if (cells.size() > 1 && ratio != 0) return "all of " + name + " is " + in_words(ratio, 4) + " times the reference";
+    if (cells.size() > 1 && ratio != 0)
+        return "all of " + name + " is " + in_words(ratio, 4) + " times the reference" + reason(ratio);
     const auto negatives = std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.actual < 0; });
     if (negatives > 0 && all([](const Cell& cell) { return cell.reference >= 0; }))
         return std::to_string(negatives) + " of the " + std::to_string(cells.size()) + " numbers in " + name +
@@ -153,7 +162,7 @@ std::string describe_matrix(const Table& table) {
     }
     const std::string name = table.matrix_name();
     const double ratio = common_ratio(table.cells);
-    if (ratio != 0) return "all of " + name + " is " + in_words(ratio, 4) + " times the reference";
+    if (ratio != 0) return "all of " + name + " is " + in_words(ratio, 4) + " times the reference" + reason(ratio);
     if (on_diagonal == differing) return "only the diagonal of " + name + " differs";
     if (on_diagonal == 0 && differing + table.rows == table.cells.size())
         return "all of " + name + " but the diagonal differs";
@@ -185,8 +194,7 @@ constexpr double differing_pixels = 1e-3;  // of all
 double light(const Picture& picture, std::size_t i) {
     const double value = picture.value(i);
     if (picture.floats) return value;
-    const double coded = value / 255;
-    return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+    return srgb_decoded(value / 255);
 }
 
 struct Pixel {
@@ -222,9 +230,9 @@ std::string describe_likeness(const Picture& reference, const Picture& actual,
     for (const Named<Picture>& other : others)
         if (other.output.header == actual.header && few(differences(other.output, actual), actual))
             return "it equals the picture of " + other.name;
-    if (few(differences(reference, actual, false, true), actual)) return "it is upside down";
-    if (few(differences(reference, actual, true, false), actual)) return "it is mirrored, left for right";
-    if (few(differences(reference, actual, true, true), actual)) return "it is turned by 180 degrees";
+    for (const Mirroring& mirroring : mirrorings)
+        if (few(differences(reference, actual, mirroring.left_right, mirroring.up_down), actual))
+            return std::string("it is ") + mirroring.name;
     return "";
 }
 
@@ -303,7 +311,8 @@ std::string describe_light(const Picture& reference, const Picture& actual, cons
     if (!std::isfinite(brightness)) return "it holds numbers that are not finite";
     if (found == 0) return "where it differs, it is black";
     const double factor = common_factor(reference, actual, pixels);
-    if (factor != 0) return "the light of every pixel is " + in_words(factor, 3) + " times the reference's";
+    if (factor != 0)
+        return "the light of every pixel is " + in_words(factor, 3) + " times the reference's" + reason(factor);
     const Roughness near = roughness(reference, actual, pixels, 1), far = roughness(reference, actual, pixels, 8);
     const bool same_noise = within(near.actual / near.reference, 1.5) && within(far.actual / far.reference, 1.5);
     // Independent noises add up in the difference; those of the same random numbers cancel.

@@ -25,7 +25,7 @@ void check(const std::string& bytes, Read read) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const std::string text(bytes, bytes + size);
     check(text, [](std::istream& in) {
-        const Picture picture = read_picture(in);
+        const PictureFile picture = read_picture(in);
         const Color corner = picture.image(picture.image.width() - 1, picture.image.height() - 1);
         return picture.maxval == 0 ? corner.x - corner.x == 0 : corner.x >= 0 && corner.x <= 1;
     });

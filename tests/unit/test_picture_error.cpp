@@ -30,26 +30,3 @@ TEST_CASE("the error of an image: root mean square, neighbours' correlation and 
 TEST_CASE("a million object pixels of the 500 x 500 picture are 166094 of 250000") {
     CHECK(object_pixels(sphere_scene(), 500, 500) == 166094);
 }
-
-TEST_CASE("neighbours are alike where their errors differ by less than a tenth of the RMSE") {
-    const std::vector<bool> mask = object_mask(sphere_scene(), 40, 40);
-    Image truth(40, 40), constant(40, 40), striped(40, 40);
-    for (int y = 0; y < 40; ++y)
-        for (int x = 0; x < 40; ++x) {
-            constant.set(x, y, {0.5, 0.5, 0.5});
-            striped.set(x, y, x % 2 ? Color{0.5, 0.5, 0.5} : Color{-0.5, -0.5, -0.5});
-        }
-    CHECK(alike_neighbours(mask, constant, truth, 0.5) == 1);
-    CHECK(alike_neighbours(mask, striped, truth, 0.5) == 0);
-}
-
-TEST_CASE("the block that errs most is found among those that show enough of an object") {
-    const std::vector<bool> mask = object_mask(sphere_scene(), 40, 40);
-    Image truth(40, 40), picture(40, 40);
-    picture.set(21, 13, {0.48, 0.48, 0.48});  // on the sphere, in the block of 4 x 4 around (22, 14)
-    picture.set(0, 0, {9, 9, 9});             // the background
-    const BlockError block = largest_block_error(mask, picture, truth, 4);
-    CHECK(std::fabs(block.error - 0.03) < 1e-8);  // a float's 0.48, 1/16 of it
-    CHECK(block.x == 22);
-    CHECK(block.y == 14);
-}

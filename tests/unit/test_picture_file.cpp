@@ -8,7 +8,7 @@
 
 namespace {
 
-Picture read(const std::string& bytes) {
+PictureFile read(const std::string& bytes) {
     std::istringstream in(bytes);
     return read_picture(in);
 }
@@ -40,7 +40,7 @@ bool equal(const Image& a, const Image& b) { return to_pfm(a) == to_pfm(b); }
 }  // namespace
 
 TEST_CASE("what to_ppm and to_pfm write is read: codes exactly, floats exactly") {
-    const Picture ppm = read(to_ppm(example())), pfm = read(to_pfm(example()));
+    const PictureFile ppm = read(to_ppm(example())), pfm = read(to_pfm(example()));
     CHECK(ppm.maxval == 255);
     CHECK(to_ppm(ppm.image) == to_ppm(example()));
     CHECK(equal(ppm.image, stored(example(), 255)));
@@ -63,23 +63,23 @@ TEST_CASE("sRGB is decoded as it is encoded: every code comes back, for any larg
 }
 
 TEST_CASE("P6 and P3 may have comments, any largest code, and bytes after the end") {
-    const Picture six = read(bytes("P6#\n# 9 9\n 2 # width\n1\t255\n\377\200\0\0\1\2garbage"));
+    const PictureFile six = read(bytes("P6#\n# 9 9\n 2 # width\n1\t255\n\377\200\0\0\1\2garbage"));
     CHECK(six.image(0, 0).x == 1);
     CHECK(std::fabs(six.image(0, 0).y - srgb_decoded(128 / 255.0)) < 1e-7);
     CHECK(six.image(1, 0).x == 0);
-    const Picture wide = read(bytes("P6 1 1 1000\n\3\350\0\0\1\364"));
+    const PictureFile wide = read(bytes("P6 1 1 1000\n\3\350\0\0\1\364"));
     CHECK(wide.maxval == 1000);
     CHECK(wide.image(0, 0).x == 1);
     CHECK(std::fabs(wide.image(0, 0).z - srgb_decoded(0.5)) < 1e-7);
-    const Picture words = read("P3\r\n1 2\r\n10\r\n10 5 0 # red\r\n0#\n10 5\r\ngarbage");
+    const PictureFile words = read("P3\r\n1 2\r\n10\r\n10 5 0 # red\r\n0#\n10 5\r\ngarbage");
     CHECK(words.image(0, 0).x == 1);
     CHECK(std::fabs(words.image(0, 0).y - srgb_decoded(0.5)) < 1e-7);
     CHECK(words.image(0, 1).y == 1);
 }
 
 TEST_CASE("a PFM of either byte order is read, its bottom row first") {
-    const Picture little = read(bytes("PF\n1 2\n-1.0\n\0\0\200?\0\0\0\0\0\0\0\300\0\0\0?\0\0\0\0\0\0\0\0garbage"));
-    const Picture big = read(bytes("PF\n1 2\n2.5\n?\200\0\0\0\0\0\0\300\0\0\0?\0\0\0\0\0\0\0\0\0\0\0"));
+    const PictureFile little = read(bytes("PF\n1 2\n-1.0\n\0\0\200?\0\0\0\0\0\0\0\300\0\0\0?\0\0\0\0\0\0\0\0garbage"));
+    const PictureFile big = read(bytes("PF\n1 2\n2.5\n?\200\0\0\0\0\0\0\300\0\0\0?\0\0\0\0\0\0\0\0\0\0\0"));
     CHECK(equal(little.image, big.image));
     CHECK(big.image(0, 1).x == 1);
     CHECK(big.image(0, 1).z == -2);
@@ -87,15 +87,44 @@ TEST_CASE("a PFM of either byte order is read, its bottom row first") {
 }
 
 TEST_CASE("a picture of 8 bits that was widened to 16 is one of 8 bits") {
-    const Picture wide = read("P3 1 1 65535\n0 25700 65535"), narrow = read("P3 1 1 255\n0 100 255");
+    const PictureFile wide = read("P3 1 1 65535\n0 25700 65535"), narrow = read("P3 1 1 255\n0 100 255");
     CHECK(wide.maxval == 255);
     CHECK(equal(wide.image, narrow.image));
     CHECK(read("P3 1 1 65535\n0 25700 65534").maxval == 65535);
     CHECK(read("P3 1 1 514\n0 257 514").maxval == 514);
+    for (const int maxval : {1000, 1023, 65280, 65535}) {
+        CAPTURE(maxval);
+        std::string rounded = "P3 85 1 " + std::to_string(maxval) + '\n', down = rounded;
+        for (int code = 1; code <= 255; ++code) {
+            rounded += std::to_string((2 * code * maxval + 255) / 510) + ' ';
+            down += std::to_string(code * maxval / 255) + ' ';
+        }
+        for (const std::string& text : {rounded, down}) {
+            const PictureFile picture = read(text);
+            CHECK(picture.maxval == 255);
+            bool same = true;
+            for (int i = 0; i < 85; ++i)
+                same = same && picture.image(i, 0).z == static_cast<float>(srgb_decoded((3 * i + 3) / 255.0));
+            CHECK(same);
+        }
+    }
+}
+
+TEST_CASE("a picture of 8 bits that was shifted to 16 is one of 8 bits") {
+    const PictureFile picture = read("P3 1 1 65535\n0 25600 65280");
+    CHECK(picture.maxval == 255);
+    CHECK(equal(picture.image, read("P3 1 1 255\n0 100 255").image));
+}
+
+TEST_CASE("what made a picture unreadable is named: converted line ends, a PNG") {
+    CHECK(reading_error("P6\r\n1 1\r\n255\r\nabc") ==
+          "CR and LF end the header: were its line ends converted? write the file in binary mode");
+    CHECK(reading_error("\x89PNG\r\n") == "a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
+    CHECK(reading_error("P6 1 1 255\rabc") == "");
 }
 
 TEST_CASE("what is no picture is refused in one line that says what is wrong") {
-    for (const std::string text : {"", "P", "P5 1 1 255\n1", "Pf\n1 1\n1\n1234", "#?RADIANCE\n", "\x89PNG\r\n"}) {
+    for (const std::string text : {"", "P", "P5 1 1 255\n1", "Pf\n1 1\n1\n1234", "#?RADIANCE\n"}) {
         CAPTURE(text);
         CHECK(reading_error(text) ==
               "not a picture that is known here: it should begin with P6 or P3 (PPM) or with PF (PFM in colour)");

@@ -1,0 +1,124 @@
+#include "judge/picture_numbers.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "experiments/picture_error.h"
+
+namespace {
+
+constexpr int side = 40;
+
+Truth grey() {
+    Image image(side, side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) image.set(x, y, {0.5, 0.5, 0.5});
+    return {image, object_mask(sphere_scene(), side, side)};
+}
+
+// The truth and an error of f(x, y) in every channel.
+template <class Error>
+Image with_error(const Truth& truth, Error f) {
+    Image image = truth.image;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) image.set(x, y, truth.image(x, y) + f(x, y) * Color{1, 1, 1});
+    return image;
+}
+
+// Forty pictures' numbers: the one that is named i is 0.01 a, or 0.01 / a, in half of them each; the others are all the
+// same.
+std::vector<Numbers> correct_pictures(std::size_t i, double a) {
+    std::vector<Numbers> all(40, Numbers{0.01, 0.01, 0.01, 0.01, 0.01, 0.01});
+    for (std::size_t k = 0; k < all.size(); ++k) all[k][i] *= k % 2 == 0 ? a : 1 / a;
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("neighbours, beside and below, are alike where their errors differ by less than a tenth of the RMSE") {
+    const Truth truth = grey();
+    const auto alike = [&](auto error) { return numbers_of(with_error(truth, error), truth)[3]; };
+    CHECK(alike([](int, int) { return 0.25; }) == 1);
+    CHECK(alike([](int x, int y) { return (x + y) % 2 ? 0.25 : -0.25; }) == 0);
+    const double columns = alike([](int x, int) { return x % 2 ? 0.25 : -0.25; });
+    CHECK(columns > 0.4);
+    CHECK(columns < 0.6);
+    // Errors alternate, so that neighbours differ by d and the RMSE of a channel is about 0.25: a tenth of it, over
+    // three channels, is 0.025 sqrt(3), and the vectors differ by d sqrt(3).
+    CHECK(alike([](int x, int y) { return 0.25 + ((x + y) % 2 ? 0.0124 : -0.0124); }) == 1);
+    CHECK(alike([](int x, int y) { return 0.25 + ((x + y) % 2 ? 0.0126 : -0.0126); }) == 0);
+}
+
+TEST_CASE("the block that errs most is found among those that show enough of an object") {
+    const Truth truth = grey();
+    Image picture = truth.image;
+    picture.set(21, 13, {0.98, 0.98, 0.98});  // on the sphere, in the block of 4 x 4 around (22, 14)
+    picture.set(0, 0, {9, 9, 9});             // the background
+    const BlockError block = largest_block_error(picture, truth);
+    CHECK(std::fabs(block.error - 0.03) < 1e-8);  // 0.48 in floats, 1/16 of it
+    CHECK(block.x == 22);
+    CHECK(block.y == 14);
+}
+
+TEST_CASE("errors that repeat are correlated at their lag: rows, diagonals, tiles") {
+    const Truth truth = grey();
+    // Of both signs, and without a correlation of neighbours: the squares modulo 31.
+    const auto noise = [](int i) { return (i * i + 7 * i) % 31 < 15 ? 0.1 : -0.1; };
+    const auto strongest = [&](auto error) {
+        const Numbers numbers = numbers_of(with_error(truth, error), truth);
+        std::size_t found = named_numbers;
+        for (std::size_t i = found; i < numbers.size(); ++i)
+            if (numbers[i] > numbers[found] + 1e-9) found = i;
+        return lag_of(found);
+    };
+    const Lag rows = strongest([&](int x, int) { return noise(x); });
+    CHECK(rows.x == 0);
+    CHECK(rows.y == 1);
+    const Lag diagonals = strongest([&](int x, int y) { return noise(x + y); });
+    CHECK(diagonals.x == -1);
+    CHECK(diagonals.y == 1);
+    const Lag tiles = strongest([&](int x, int y) { return noise(x % 8 + 8 * (y % 8)); });
+    CHECK(tiles.x + tiles.y == 8);
+}
+
+TEST_CASE("a number just inside the accepted deviations fits, and one just outside does not") {
+    const double spread = std::sqrt(40.0 / 39 * (1 + 1.0 / 40));  // of a new number, where half are +1 and half -1
+    const auto fits = [&](std::size_t i, double number, const std::vector<Numbers>& correct) {
+        Numbers here(6, 0.01);
+        here[i] = number;
+        return compared(here, correct, {5, 6}).quantities[i].fits();
+    };
+    const double reach = 5 * spread * portable::log(1.1);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{4}})  // rmse, block: on a logarithmic scale
+        for (const double sign : {1.0, -1.0}) {
+            const std::vector<Numbers> correct = correct_pictures(i, i == 0 ? 1.1 : 1.5);
+            const double r = sign * (i == 0 ? reach : 5 * spread * portable::log(1.5));
+            CHECK(fits(i, 0.01 * portable::exp(0.999 * r), correct));
+            CHECK(!fits(i, 0.01 * portable::exp(1.001 * r), correct));
+        }
+    // Brightness as it is; its least deviation is 0.001.
+    CHECK(fits(1, 0.01 + 0.00499, correct_pictures(1, 1)));
+    CHECK(!fits(1, 0.01 + 0.00501, correct_pictures(1, 1)));
+    // Repeats: 6 deviations, of 0.01 at least.
+    CHECK(fits(5, 0.01 - 0.0599, correct_pictures(5, 1)));
+    CHECK(!fits(5, 0.01 - 0.0601, correct_pictures(5, 1)));
+    // Correlation by log((0.1 + c) / (1.01 - c)), whose least deviation is 0.1; alike by log(0.003 + f), 0.05.
+    const auto odds = [](double c) { return portable::log((0.1 + c) / (1.01 - c)); };
+    const double high = portable::exp(odds(0.01) + 0.5), correlation = (1.01 * high - 0.1) / (1 + high);
+    CHECK(fits(2, correlation - 1e-4, correct_pictures(2, 1)));
+    CHECK(!fits(2, correlation + 1e-4, correct_pictures(2, 1)));
+    const double alike = 0.013 * portable::exp(0.25) - 0.003;
+    CHECK(fits(3, alike - 1e-5, correct_pictures(3, 1)));
+    CHECK(!fits(3, alike + 1e-5, correct_pictures(3, 1)));
+}
+
+TEST_CASE("numbers together may be 7 standard deviations away") {
+    const auto fits = [](double deviations) {
+        Numbers here(6, 0.01);
+        here[1] += deviations * 0.001;
+        return compared(here, correct_pictures(1, 1), {5, 6})["together"].fits();
+    };
+    CHECK(fits(6.99));
+    CHECK(!fits(7.01));
+}
