@@ -133,9 +133,8 @@ PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap&
         judgement.mistake = mistake_of_whole(picture, dense, rmse);
         return judgement;
     }
-    judgement.mistake = resembled(image, truth, settings, correct, studio);
-    if (judgement.mistake.empty())
-        judgement.mistake = mistake_of_objects(picture, dense, environment, settings.samples, 1.5 * rmse);
+    judgement.mistake = mistake_of_objects(picture, dense, environment, settings.samples, 1.5 * rmse);
+    if (judgement.mistake.empty()) judgement.mistake = resembled(image, truth, settings, correct, studio);
     if (judgement.mistake.empty()) judgement.mistake = pattern(judgement.comparison);
     return judgement;
 }
