@@ -15,8 +15,9 @@ struct Samples {
     std::vector<double> values;  // one for each direction, or none
 };
 
-// Reads "x y z" or "x y z value" a line, the same in all of them. Throws std::runtime_error that names the line for any
-// other number of columns, a length that is not 1 within 1e-6, and a direction below the horizon (y < 0).
+// Reads "x y z", "x y z value" or "x y z z_j weight", as rule prints it, a line, the same in all of them. Throws
+// std::runtime_error that names the line for any other number of columns, a length that is not 1 within 1e-6, and a
+// direction below the horizon (y < 0).
 Samples read_samples(std::istream& in);
 
 // Directions, z and weights; how well the weights integrate the one integrand that every rule should; with values their

@@ -67,6 +67,18 @@ TEST_CASE("directions are read with or without values, between white space or co
     CHECK(read("0,1,0\n0, 1, 0\n0, .6,.8\n").directions.size() == 3);
 }
 
+TEST_CASE("directions are read from what rule prints, after the mark of UTF-8, and between bare CRs") {
+    const Samples own = read("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n");
+    CHECK(own.directions.size() == 2);
+    CHECK(own.values.empty());
+    CHECK(read("\xEF\xBB\xBF"
+               "0 1 0\n")
+              .directions.size() == 1);
+    CHECK(read("0 1 0\r0.6 0.8 0\r\n0 1 0").directions.size() == 3);
+    CHECK_THROWS_WITH_AS(read("0 1 0\r0 1 0\r\n\r\n0 1 x"), "line 4: 'x' is not a number; a comment begins with #",
+                         std::runtime_error);
+}
+
 TEST_CASE("a line that is no direction is named") {
     CHECK_THROWS_WITH_AS(read("0 1 0\n\n0 1 x\n"), "line 3: 'x' is not a number; a comment begins with #",
                          std::runtime_error);
@@ -78,7 +90,7 @@ TEST_CASE("a line that is no direction is named") {
                          "line 2: 4 numbers; every line should be x y z, or every line x y z value",
                          std::runtime_error);
     CHECK_THROWS_AS(read("0 1\n0 1\n"), std::runtime_error);
-    CHECK_THROWS_AS(read("0 1 0 1 1\n"), std::runtime_error);
+    CHECK_THROWS_AS(read("0 1 0 1 1 1\n"), std::runtime_error);
     CHECK_THROWS_WITH_AS(read("# up\n0 1.000002 0\n"),
                          "line 2: the direction has length 1.000002; it should be 1 within 1e-6", std::runtime_error);
     CHECK_THROWS_WITH_AS(read("0.6 -0.8 0\n"), "line 1: the direction lies below the horizon: its y is -0.8",
