@@ -1,5 +1,6 @@
 #include "experiments/stability.h"
 
+#include "experiments/exact_weights.h"
 #include "quadrature/gaussian_process.h"
 
 #include <algorithm>
@@ -34,39 +35,6 @@ void add_transposed_product(double factor, const Matrix& a, bool triangular, con
     }
 }
 
-// a + b without error (Knuth, "The Art of Computer Programming", volume 2, section 4.2.2, theorem B).
-void two_sum(double a, double b, double& sum, double& error) {
-    sum = a + b;
-    const double part = sum - a;
-    error = (a - (sum - part)) + (b - part);
-}
-
-// a * b without error (Dekker, "A floating-point technique for extending the available precision", Numerische
-// Mathematik 18, 1971).
-void two_product(double a, double b, double& product, double& error) {
-    constexpr double split = 134217729;  // 2^27 + 1: half the bits of a factor at a time
-    const double a_high = split * a - (split * a - a), b_high = split * b - (split * b - b);
-    const double a_low = a - a_high, b_low = b - b_high;
-    product = a * b;
-    error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
-}
-
-// b - A x, A symmetric, every sum as the unevaluated sum of two doubles.
-std::vector<double> residual(const Matrix& a, const std::vector<double>& x, const std::vector<double>& b) {
-    const std::size_t n = b.size();
-    std::vector<double> high = b, low(n);
-    for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i) {
-            double product, product_error, sum, sum_error;
-            two_product(-x[j], a(j, i), product, product_error);
-            two_sum(high[i], product, sum, sum_error);
-            high[i] = sum;
-            low[i] += sum_error + product_error;
-        }
-    for (std::size_t i = 0; i < n; ++i) high[i] += low[i];
-    return high;
-}
-
 double largest(const std::vector<double>& x) {
     double size = 0;
     for (const double element : x) size = std::max(size, std::fabs(element));
@@ -78,13 +46,50 @@ double relative_error(std::vector<double> x, const std::vector<double>& exact) {
     return largest(x) / largest(exact);
 }
 
+constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
+
+std::string setting(const StabilityRow& row) {
+    return line("%-11s %7zu %-19s %9g ", name_of(row.set, sample_set_names), row.samples, row.model.name(),
+                row.model.parameter);
+}
+
 std::string stability_line(const StabilityRow& row) {
-    const std::string setting = line("%-11s %7zu %-19s %9g %6g ", name_of(row.set, sample_set_names), row.samples,
-                                     row.model.name(), row.model.parameter, row.noise);
-    if (!row.refusal.empty()) return "# " + setting + row.refusal + '\n';
-    return "  " + setting +
-           line("%10.3g %8.3f %8.3f %9.2g %9.2g %12.5g %10.3g\n", row.residuals.condition, row.residuals.factor,
-                row.residuals.inverse, row.weight_error, row.inverse_error, row.absolute_weights, row.cosine_error);
+    const std::string text = setting(row) + line("%6g ", row.noise);
+    if (!row.refusal.empty()) return "# " + text + row.refusal + '\n';
+    const std::string errors = line("%12.5g %10.3g\n", row.absolute_weights, row.cosine_error);
+    if (!row.residuals)
+        return "  " + text + line("%10s %8s %8s %9.2g %9s ", "-", "-", "-", row.weight_error, "-") + errors;
+    return "  " + text +
+           line("%10.3g %8.3f %8.3f %9.2g %9.2g ", row.residuals->condition, row.residuals->factor,
+                row.residuals->inverse, row.weight_error, row.inverse_error) +
+           errors;
+}
+
+// How many decimal digits an error leaves of the 16 that a double has.
+int digits_of(double error) {
+    if (!(error > 1e-16)) return 16;
+    return static_cast<int>(std::max(0.0, std::floor(-portable::log(error) / portable::log(10))));
+}
+
+// The digits of the weights: a line for each setting, a column for each noise. Rows of one setting follow each other.
+std::string digits_table(const std::vector<StabilityRow>& rows) {
+    std::string text =
+        "# How many of 16 digits of the weights are right, at a noise of\n"
+        "# set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0\n";
+    for (std::size_t i = 0; i < rows.size();) {
+        const std::string name = setting(rows[i]);
+        text += "  " + name;
+        for (const double noise : noises) {
+            if (i == rows.size() || setting(rows[i]) != name || rows[i].noise != noise)
+                text += line("%5s", "?");
+            else if (const StabilityRow& row = rows[i++]; !row.refusal.empty())
+                text += line("%5s", "-");
+            else
+                text += line("%5d", digits_of(row.weight_error));
+        }
+        text += '\n';
+    }
+    return text + "# -: the factor refuses the matrix; ?: not tried\n";
 }
 
 // A setting that the factor accepts although less than one digit of its weights is right.
@@ -93,10 +98,7 @@ bool passes_unnoticed(const StabilityRow& row) { return row.refusal.empty() && !
 std::string unnoticed(const std::vector<StabilityRow>& rows) {
     std::string text = "# The factor accepts these, and less than one digit of their weights is right:\n";
     for (const StabilityRow& row : rows)
-        if (passes_unnoticed(row))
-            text += line("#   %s, %zu samples, %s %g, noise %g, condition number %.1g\n",
-                         name_of(row.set, sample_set_names), row.samples, row.model.name(), row.model.parameter,
-                         row.noise, row.residuals.condition);
+        if (passes_unnoticed(row)) text += "#   " + setting(row) + line("noise %g\n", row.noise);
     return text;
 }
 
@@ -104,8 +106,9 @@ std::string unnoticed(const std::vector<StabilityRow>& rows) {
 std::string stability_verdict(const std::vector<StabilityRow>& rows) {
     double factor = 0, inverse = 0;
     for (const StabilityRow& row : rows) {
-        factor = std::max(factor, row.residuals.factor);
-        inverse = std::max(inverse, row.residuals.inverse);
+        if (!row.residuals) continue;
+        factor = std::max(factor, row.residuals->factor);
+        inverse = std::max(inverse, row.residuals->inverse);
     }
     std::string text =
         line("# The largest residual ratios are %.2g and %.2g: what is computed is as good as the matrix allows.\n",
@@ -118,7 +121,7 @@ std::string stability_verdict(const std::vector<StabilityRow>& rows) {
         for (const StabilityRow& row : rows) {
             if (row.noise != noise) continue;
             refused += !row.refusal.empty();
-            condition = std::max(condition, row.residuals.condition);
+            if (row.residuals) condition = std::max(condition, row.residuals->condition);
             error = std::max(error, row.weight_error);
         }
         text += line(
@@ -129,6 +132,19 @@ std::string stability_verdict(const std::vector<StabilityRow>& rows) {
     }
     return text + line("# %g is the least noise here with which nothing is refused and every weight has six digits.\n",
                        chosen);
+}
+
+// What the inverse leaves: the row's residuals and the error of the weights by it.
+void examine_inverse(const GaussianProcess& process, const std::optional<std::vector<double>>& right,
+                     StabilityRow& row) {
+    const std::size_t n = row.samples;
+    const Matrix inverse = process.inverse_covariance();
+    row.residuals = residuals_of(symmetric(covariance_matrix(*row.model.covariance, row.noise, process.directions())),
+                                 process.cholesky(), inverse);
+    std::vector<double> weights(n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) weights[i] += inverse(i, j) * process.z()[j];
+    row.inverse_error = right ? relative_error(weights, *right) : INFINITY;
 }
 
 }  // namespace
@@ -161,72 +177,74 @@ Residuals residuals_of(const Matrix& a, const Cholesky& cholesky, const Matrix& 
             row_sum_norm(identity_residual) / (unit * a_norm * inverse_norm), a_norm * inverse_norm};
 }
 
-std::optional<std::vector<double>> refined_solution(const Matrix& a, const Cholesky& cholesky,
-                                                    const std::vector<double>& b) {
-    std::vector<double> x = cholesky.solve(b);
-    for (double last = largest(x);;) {
-        const std::vector<double> correction = cholesky.solve(residual(a, x, b));
-        const double size = largest(correction);
-        if (!(size < last / 2)) return std::nullopt;
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
-        if (size <= 2 * DBL_EPSILON * largest(x)) return x;
-        last = size;
-    }
-}
-
-StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double noise) {
-    StabilityRow row{set, n, model, noise, "", {0, 0, 0}, 0, 0, 0, 0};
+std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& model, const std::vector<double>& tried) {
     const std::vector<Vec3> directions = sample_set(set, n);
-    try {
-        const GaussianProcess process(*model.covariance, noise, directions);
-        const Matrix inverse = process.inverse_covariance();
-        const Matrix q = symmetric(covariance_matrix(*model.covariance, noise, directions));
-        row.residuals = residuals_of(q, process.cholesky(), inverse);
-        std::vector<double> by_inverse(n);
-        double estimate = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j < n; ++j) by_inverse[i] += inverse(i, j) * process.z()[j];
-            row.absolute_weights += std::fabs(process.weights()[i]);
-            estimate += process.weights()[i] * directions[i].y;
+    const ExactWeights exact(model, directions);
+    std::vector<StabilityRow> rows;
+    for (const double noise : tried) {
+        StabilityRow row{set, n, model, noise, "", std::nullopt, 0, 0, 0, 0};
+        try {
+            const GaussianProcess process(*model.covariance, noise, directions);
+            const std::vector<double>& weights = process.weights();
+            const auto right = exact.weights(noise, process.cholesky());
+            row.weight_error = right ? relative_error(weights, *right) : INFINITY;
+            double estimate = 0;
+            for (std::size_t i = 0; i < n; ++i) {
+                row.absolute_weights += std::fabs(weights[i]);
+                estimate += weights[i] * directions[i].y;
+            }
+            row.cosine_error = std::fabs(estimate - pi);
+            if (n <= 1000) examine_inverse(process, right, row);
+        } catch (const NotPositiveDefinite& error) {
+            row.refusal = line("pivot %zu is %.3g", error.index, error.value);
         }
-        const auto exact = refined_solution(q, process.cholesky(), process.z());
-        row.weight_error = exact ? relative_error(process.weights(), *exact) : INFINITY;
-        row.inverse_error = exact ? relative_error(by_inverse, *exact) : INFINITY;
-        row.cosine_error = std::fabs(estimate - pi);
-    } catch (const NotPositiveDefinite& error) {
-        row.refusal = line("pivot %zu is %.3g", error.index, error.value);
+        rows.push_back(row);
     }
-    return row;
+    return rows;
 }
 
+namespace {
+
+// The sweeps: samples and noise; covariance and noise; sample set and noise.
 std::vector<StabilityRow> stability_rows() {
-    const std::vector<double> noises{1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
     std::vector<StabilityRow> rows;
-    constexpr std::size_t counts[] = {1, 2, 10, 100, 1000};
-    for (const std::size_t n : counts)
-        for (const double noise : noises)
-            rows.push_back(examine(SampleSet::random, n, {CovarianceFamily::sobolev, 1.5}, noise));
-    std::vector<Model> models;
-    for (const double s : {1.001, 1.1, 1.25, 1.75, 1.9, 1.999}) models.emplace_back(CovarianceFamily::sobolev, s);
+    const auto add = [&rows](SampleSet set, std::size_t n, const Model& model, std::vector<double> tried = {}) {
+        if (tried.empty()) tried.assign(std::begin(noises), std::end(noises));
+        for (StabilityRow& row : examine(set, n, model, tried)) rows.push_back(std::move(row));
+    };
+    const Model rough(CovarianceFamily::sobolev, 1.5), smooth(CovarianceFamily::squared_exponential, 1);
+    for (const std::size_t n : {1u, 2u, 10u, 100u, 1000u}) add(SampleSet::random, n, rough);
+    for (const double s : {1.001, 1.1, 1.25, 1.75, 1.9, 1.999})
+        add(SampleSet::random, 100, {CovarianceFamily::sobolev, s});
     for (const double l : {0.05, 0.2, 1.0, 5.0, 100.0, 1e6})
-        models.emplace_back(CovarianceFamily::squared_exponential, l);
-    for (const Model& model : models)
-        for (const double noise : noises) rows.push_back(examine(SampleSet::random, 100, model, noise));
+        add(SampleSet::random, 100, {CovarianceFamily::squared_exponential, l});
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
-        for (const Model& model :
-             {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::squared_exponential, 1)})
-            for (const double noise : noises) rows.push_back(examine(set, 100, model, noise));
+        for (const Model& model : {rough, smooth}) add(set, 100, model);
+    add(SampleSet::cluster, 4096, rough, {1e-2, 1e-4});
     return rows;
+}
+
+}  // namespace
+
+std::vector<Option> Stability::options() {
+    return {{"all", "", "also every setting with its residuals", [this](const std::string&) { all = true; }}};
 }
 
 std::string Stability::report() const {
     const std::vector<StabilityRow> rows = stability_rows();
     std::string text =
-        "# Where the arithmetic breaks. factor and inverse: residuals over what backward stable arithmetic leaves\n"
-        "# (LAPACK accepts 30); w_solve and w_inverse: largest error of the weights by the factor and by the inverse\n"
-        "# over the largest weight, inf where none has a digit; a matrix that the factor refuses is in a comment.\n"
-        "# set         samples covariance          parameter  noise  condition   factor  inverse   w_solve w_inverse "
+        "# Where the arithmetic breaks: the weights of a double against those with 32 digits, from the directions "
+        "on.\n" +
+        digits_table(rows) + stability_verdict(rows);
+    if (!all) return text;
+    text +=
+        "\n\n# factor and inverse: residuals over what backward stable arithmetic leaves (LAPACK accepts 30); "
+        "by_factor\n"
+        "# and by_inverse: largest error of the weights over the largest weight, inf where none has a digit; a matrix "
+        "that\n"
+        "# the factor refuses is in a comment.\n"
+        "# set         samples covariance          parameter  noise  condition   factor  inverse by_factor by_inverse"
         "     sum_|w|  cos_error\n";
     for (const StabilityRow& row : rows) text += stability_line(row);
-    return text + stability_verdict(rows);
+    return text;
 }

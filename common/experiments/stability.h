@@ -31,31 +31,26 @@ struct Residuals {
 // The residuals of a factored symmetric n x n matrix.
 Residuals residuals_of(const Matrix& a, const Cholesky& cholesky, const Matrix& inverse);
 
-// x with A x = b to the last digit, from the factor of the symmetric A: a solution corrected until it stands, with the
-// residuals b - A x in doubled arithmetic (Golub & Van Loan, "Matrix Computations", section 3.5.3). Nothing if the
-// corrections do not shrink: then the factor has no correct digit to correct with.
-std::optional<std::vector<double>> refined_solution(const Matrix& a, const Cholesky& cholesky,
-                                                    const std::vector<double>& b);
-
 struct StabilityRow {
     SampleSet set;
     std::size_t samples;
     Model model;
     double noise;
-    std::string refusal;  // why the covariance matrix was refused; then the numbers below are not set
-    Residuals residuals;
-    double weight_error;      // of the weights by solve, over the largest weight; infinite if no digit is right
-    double inverse_error;     // of the weights by inverse
-    double absolute_weights;  // sum of |w|
-    double cosine_error;      // of the estimate of the integral of cos(theta)
+    std::string refusal;                 // why the covariance matrix was refused; then the numbers below are not set
+    std::optional<Residuals> residuals;  // of up to 1000 samples: the inverse of more takes long
+    double weight_error;                 // of the weights by solve, over the largest; infinite if no digit is right
+    double inverse_error;                // of the weights by inverse
+    double absolute_weights;             // sum of |w|
+    double cosine_error;                 // of the estimate of the integral of cos(theta)
 };
 
-StabilityRow examine(SampleSet set, std::size_t n, const Model& model, double noise);
-
-// The sweeps: samples and noise; covariance and noise; sample set and noise.
-std::vector<StabilityRow> stability_rows();
+// A row for each noise. The errors of the weights are those from the directions on: covariances, z, factor and
+// solution.
+std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& model, const std::vector<double>& noises);
 
 struct Stability {
-    std::vector<Option> options() { return {}; }
+    bool all = false;
+
+    std::vector<Option> options();
     std::string report() const;
 };

@@ -1,5 +1,6 @@
 #include "experiments/stability.h"
 
+#include "experiments/exact_weights.h"
 #include "quadrature/gaussian_process.h"
 
 #include <doctest/doctest.h>
@@ -8,55 +9,41 @@
 
 namespace {
 
-// A number as the unevaluated sum of two doubles, about 32 digits (Dekker 1971): the tests' higher precision.
-struct Wide {
-    double high = 0, low = 0;
-};
-
-Wide sum(double a, double b) {
-    const double s = a + b, bb = s - a;
-    return {s, (a - (s - bb)) + (b - bb)};
-}
-
-Wide product(double a, double b) {
-    const double split = 134217729;  // 2^27 + 1
-    const double a_high = split * a - (split * a - a), b_high = split * b - (split * b - b);
-    const double a_low = a - a_high, b_low = b - b_high, p = a * b;
-    return {p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low};
-}
-
-Wide minus_product(Wide x, Wide a, Wide b) {
-    const Wide p = product(a.high, b.high), s = sum(x.high, -p.high);
-    return sum(s.high, s.low + (x.low - (p.low + a.high * b.low + a.low * b.high)));
-}
-
-Wide quotient(Wide a, Wide b) {
-    const double q = a.high / b.high;
-    return sum(q, minus_product(a, b, {q, 0}).high / b.high);
-}
-
-// Weights Q^-1 z by Gaussian elimination in double-double arithmetic.
+// Weights Q^-1 z by Gaussian elimination in double-double arithmetic; Q and z as they are, in doubles.
 std::vector<double> wide_weights(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
     const std::size_t n = directions.size();
     const Matrix q = symmetric(covariance_matrix(covariance, noise, directions));
     const std::vector<double> z = hemisphere_integrals(covariance, directions);
-    std::vector<std::vector<Wide>> a(n, std::vector<Wide>(n + 1));
+    std::vector<std::vector<DoubleDouble>> a(n, std::vector<DoubleDouble>(n + 1));
     for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) a[i][j] = {q(i, j), 0};
-        a[i][n] = {z[i], 0};
+        for (std::size_t j = 0; j < n; ++j) a[i][j] = q(i, j);
+        a[i][n] = z[i];
     }
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t i = k + 1; i < n; ++i) {
-            const Wide factor = quotient(a[i][k], a[k][k]);
-            for (std::size_t j = k; j <= n; ++j) a[i][j] = minus_product(a[i][j], factor, a[k][j]);
+            const DoubleDouble factor = a[i][k] / a[k][k];
+            for (std::size_t j = k; j <= n; ++j) a[i][j] = a[i][j] - factor * a[k][j];
         }
     std::vector<double> weights(n);
     for (std::size_t i = n; i-- > 0;) {
-        for (std::size_t j = i + 1; j < n; ++j) a[i][n] = minus_product(a[i][n], a[i][j], a[j][n]);
-        a[i][n] = quotient(a[i][n], a[i][i]);
+        for (std::size_t j = i + 1; j < n; ++j) a[i][n] = a[i][n] - a[i][j] * a[j][n];
+        a[i][n] = a[i][n] / a[i][i];
         weights[i] = a[i][n].high;
     }
     return weights;
+}
+
+double error_over_largest(const std::vector<double>& weights, const std::vector<double>& exact) {
+    double error = 0, largest = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        error = std::max(error, std::fabs(weights[i] - exact[i]));
+        largest = std::max(largest, std::fabs(exact[i]));
+    }
+    return error / largest;
+}
+
+StabilityRow examine_one(SampleSet set, const Model& model, double noise) {
+    return examine(set, 100, model, {noise}).front();
 }
 
 }  // namespace
@@ -93,49 +80,58 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("a refined solution is right to the last digit, or there is none") {
-    for (const double length_scale : {1.0, 2.0}) {
-        const SquaredExponential covariance(length_scale);
-        const std::vector<Vec3> directions = sample_set(SampleSet::random, 40);
-        for (const double noise : {1e-2, 1e-4, 1e-6}) {
-            const GaussianProcess process(covariance, noise, directions);
-            const std::vector<double> exact = wide_weights(covariance, noise, directions);
-            const auto refined = refined_solution(symmetric(covariance_matrix(covariance, noise, directions)),
-                                                  process.cholesky(), process.z());
-            REQUIRE(refined);
-            double scale = 0;
-            for (const double weight : exact) scale = std::max(scale, std::fabs(weight));
-            // Both are rounded to double: half an ulp of the largest weight each.
-            for (std::size_t i = 0; i < 40; ++i) CHECK(std::fabs((*refined)[i] - exact[i]) <= DBL_EPSILON * scale);
+// Where the covariances of doubles are exact, Gaussian elimination with 32 digits has the same weights: k = 8/3 - r
+// with r = 0 or 1 (8/3 is rounded by 1.5e-16), z by its closed form (to 5e-16).
+TEST_CASE("exact weights are those of elimination with 32 digits, but for the rounding of Q and z") {
+    const std::vector<Vec3> directions{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
+    for (const Model& model : {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::sobolev, 1.25),
+                               Model(CovarianceFamily::squared_exponential, 0.5)})
+        for (const double noise : {1.0, 0.5}) {
+            const GaussianProcess process(*model.covariance, noise, directions);
+            const auto exact = ExactWeights(model, directions).weights(noise, process.cholesky());
+            REQUIRE(exact);
+            CHECK(error_over_largest(wide_weights(*model.covariance, noise, directions), *exact) < 1e-14);
         }
-    }
-    // At condition 2.5e18 the factor passes, and its weights have no digit.
-    const StabilityRow row = examine(SampleSet::random, 100, {CovarianceFamily::squared_exponential, 1}, 0);
+}
+
+// Solving Q w = z with 60 digits, Q and z from the directions, gave these, to the digits that they are written with.
+TEST_CASE("the error of the weights is that from the directions, as was measured with 60 digits") {
+    const Model rough(CovarianceFamily::sobolev, 1.5), smooth(CovarianceFamily::squared_exponential, 1);
+    CHECK(std::fabs(examine_one(SampleSet::cluster, rough, 1e-2).weight_error / 1.5e-9 - 1) < 0.04);
+    CHECK(std::fabs(examine_one(SampleSet::cluster, rough, 1e-4).weight_error / 1.55e-6 - 1) < 0.004);
+    CHECK(std::fabs(examine_one(SampleSet::cluster, smooth, 1e-6).weight_error / 9.3e-4 - 1) < 0.006);
+}
+
+TEST_CASE("where the factor passes and no digit is right, there are no exact weights") {
+    const StabilityRow row = examine_one(SampleSet::random, {CovarianceFamily::squared_exponential, 1}, 0);
     CHECK(row.refusal.empty());
     CHECK(!(row.weight_error < 0.1));
 }
 
-TEST_CASE("residual ratios stay below 5 at every extreme, LAPACK's limit being 30") {
-    for (const StabilityRow& row : stability_rows()) {
-        if (!row.refusal.empty()) continue;
-        CHECK(row.residuals.factor < 5);
-        CHECK(row.residuals.inverse < 5);
-        CHECK(std::isfinite(row.residuals.condition));
-        CHECK(std::isfinite(row.absolute_weights));
-        CHECK(std::isfinite(row.cosine_error));
-    }
+TEST_CASE("residual ratios stay below 5 at extremes, LAPACK's limit being 30") {
+    for (const SampleSet set : {SampleSet::random, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
+        for (const Model& model :
+             {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::squared_exponential, 1)})
+            for (const StabilityRow& row : examine(set, 100, model, {1, 1e-4, 1e-6})) {
+                REQUIRE(row.residuals);
+                CHECK(row.residuals->factor < 5);
+                CHECK(row.residuals->inverse < 5);
+                CHECK(std::isfinite(row.residuals->condition));
+                CHECK(std::isfinite(row.absolute_weights));
+                CHECK(std::isfinite(row.cosine_error));
+            }
 }
 
 TEST_CASE("what is singular in double precision is refused, naming pivot and value, and works with noise") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
-        const StabilityRow refused = examine(set, 100, {CovarianceFamily::sobolev, 1.5}, 0);
+        const StabilityRow refused = examine_one(set, {CovarianceFamily::sobolev, 1.5}, 0);
         CHECK(refused.refusal.find("pivot 1 is ") != std::string::npos);
-        CHECK(examine(set, 100, {CovarianceFamily::sobolev, 1.5}, 1e-2).refusal.empty());
+        CHECK(examine_one(set, {CovarianceFamily::sobolev, 1.5}, 1e-2).refusal.empty());
     }
     // As s tends to 2, k tends to C - r^2, of rank 4: constants and the three coordinates.
     const Model nearly_flat{CovarianceFamily::sobolev, std::nextafter(2, 1)};
-    CHECK(examine(SampleSet::random, 40, nearly_flat, 0).refusal.find("pivot 4 ") != std::string::npos);
-    CHECK(examine(SampleSet::random, 40, nearly_flat, 1e-2).refusal.empty());
+    CHECK(examine(SampleSet::random, 40, nearly_flat, {0.0}).front().refusal.find("pivot 4 ") != std::string::npos);
+    CHECK(examine(SampleSet::random, 40, nearly_flat, {1e-2}).front().refusal.empty());
 }
 
 TEST_CASE("a long length-scale makes Bayesian Monte Carlo classic: w = 2 pi / (N + noise^2)") {
