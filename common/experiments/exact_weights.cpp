@@ -40,7 +40,7 @@ ExactCovariance::ExactCovariance(const Model& model)
         return;
     }
     c_ = pow(2, s + s - 1) / s;
-    for (double u = -reach; u <= reach + 21; u += rim_step) y_.push_back(exp(u));
+    for (double u = -reach; u <= reach + 21; u += rim_step) y_.push_back(exp(DoubleDouble(u)));
 }
 
 DoubleDouble ExactCovariance::covariance(DoubleDouble squared_chord) const {
