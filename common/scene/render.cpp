@@ -105,8 +105,8 @@ Image render(const Scene& scene, const Light& light, const RenderSettings& setti
         report(made, 0);
     }
     std::function<std::size_t(int, Image&)> render_row = Renderer(scene, light, settings, rules);
-    const bool fast = !settings.plain && settings.show == Show::picture;
-    if (fast) render_row = rows_fast(render_row, scene, light, settings, rules);
+    const bool is_fast = !settings.plain && settings.show == Show::picture;
+    if (is_fast) render_row = rows_fast(render_row, scene, light, settings, rules);
     Image image(settings.width, settings.height);
     std::atomic<int> next_row{0};
     std::atomic<std::size_t> object_pixels_done{0};
