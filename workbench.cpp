@@ -3,7 +3,6 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
-#include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
@@ -21,7 +20,6 @@ std::vector<Command> commands() {
             command<Rule>("rule", "directions and weights of a rule"),
             command<Judge>("judge", "is another program's output right?"),
             command<LightFile>("light", "the built-in light, > desert.hdr"),
-            command<Known>("known", "what knowing the cosine is worth"),
             command<Tradeoff>("tradeoff", "what accuracy costs"),
             command<Models>("models", "covariances and noise compared"),
             command<Stability>("stability", "where the arithmetic breaks")};

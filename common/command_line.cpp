@@ -18,12 +18,6 @@
 
 namespace {
 
-std::string in_words(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
@@ -114,9 +108,10 @@ std::string describe(const std::vector<Option>& options) {
 double parse_real(const std::string& text, double low, double high) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (!is_whole(text, end) || !(value >= low && value <= high))
-        throw UsageError("'" + text + "' is not a number from " + in_words(low) + " to " + in_words(high));
-    return value;
+    if (is_whole(text, end) && value >= low && value <= high) return value;
+    std::ostringstream allowed;
+    allowed << "'" << text << "' is not a number from " << low << " to " << high;
+    throw UsageError(allowed.str());
 }
 
 long parse_integer(const std::string& text, long low, long high) {
@@ -130,7 +125,12 @@ long parse_integer(const std::string& text, long low, long high) {
 }
 
 std::uint64_t parse_seed(const std::string& text) {
-    return static_cast<std::uint64_t>(parse_integer(text, 0, 2147483647));
+    char* end = nullptr;
+    errno = 0;
+    const unsigned long long value = std::strtoull(text.c_str(), &end, 10);
+    if (!is_whole(text, end) || errno != 0 || text[0] == '-')
+        throw UsageError("'" + text + "' is not a whole number from 0 to 18446744073709551615");
+    return value;
 }
 
 std::string parse_name(const std::string& text) {

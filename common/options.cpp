@@ -2,7 +2,7 @@
 
 namespace {
 
-constexpr long max_mc_samples = 1000000;
+constexpr long max_lattice_samples = 1000000;
 
 // Where there is no light that could be known.
 constexpr std::pair<const char*, KnownPart> known_without_light[] = {known_part_names[0], known_part_names[1]};
@@ -44,7 +44,7 @@ void require_closed_form(const ModelSettings& settings) {
 
 RenderOptions::RenderOptions(RenderSettings& s)
     : method(choice_option("method", "", method_names, s.method)),
-      samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_mc_samples)),
+      samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_lattice_samples)),
       placement(ModelOptions(s).placement),
       seed(ModelOptions(s).seed) {
     Option known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
@@ -61,9 +61,10 @@ RenderOptions::RenderOptions(RenderSettings& s)
 }
 
 void require_possible(const RenderSettings& settings) {
-    if (settings.method != Method::mc && settings.samples > max_process_samples)
+    const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
+    if (!one_lattice && settings.samples > max_process_samples)
         throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
-                         std::to_string(max_process_samples) + " are allowed for every method but mc");
+                         std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
     require_closed_form(settings);
 }
 

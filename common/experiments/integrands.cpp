@@ -5,22 +5,18 @@
 
 using portable::pi;
 
-namespace {
+double dense_quadrature(const Integrand& integrand) {
+    return apply(monte_carlo_rule({Placement::fibonacci, fibonacci_directions(1 << 18)}), integrand);
+}
 
-Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& environment) {
+Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
     const Frame frame(normalize({0.3, 0.6, -0.7}));
     Integrand integrand{"environment", "L(w) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
     integrand.value = [=](Vec3 direction) {
-        return dot(luminance, environment->radiance(frame.to_world(direction))) * direction.y;
+        return dot(luminance, light->radiance(frame.to_world(direction))) * direction.y;
     };
     integrand.truth = dense_quadrature(integrand);
     return integrand;
-}
-
-}  // namespace
-
-double dense_quadrature(const Integrand& integrand) {
-    return apply(monte_carlo_rule({Placement::fibonacci, fibonacci_directions(1 << 18)}), integrand);
 }
 
 std::vector<Integrand> practice_integrands() {

@@ -5,6 +5,7 @@
 #include "scene/environment.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Integrand {
 std::vector<Integrand> practice_integrands();
 
 constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
+
+// The luminance of a light times cos(theta) above a tilted surface.
+Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);
 
 // The integral by 2^18 directions on the Fibonacci lattice.
 double dense_quadrature(const Integrand& integrand);

@@ -1,173 +1,177 @@
 #include "experiments/models.h"
 
+#include "experiments/root_mean_square.h"
 #include "experiments/scene_integrands.h"
-
 #include "quadrature/gaussian_process.h"
+#include "scene/desert.h"
 
 #include <algorithm>
 #include <cmath>
 
-using portable::pi;
-
 namespace {
 
-std::string model_name(const ModelRow& row) {
-    return line("%s %g with noise %g", row.model.name(), row.model.parameter, row.noise);
+// What is integrated in a column of the tables, over so many sets of directions: of one integrand more than of many.
+struct Column {
+    std::string name;
+    std::vector<Integrand> integrands;
+    std::size_t sets;
+};
+
+std::vector<Column> columns() {
+    std::vector<Column> all{{"cosine", {practice_integrands()[1]}, 1000}};
+    for (const std::string& name : built_in_lights())
+        all.push_back(
+            {name, scene_integrands(std::make_shared<const EnvironmentMap>(load_environment(name)), 100), 10});
+    return all;
 }
 
-std::string model_table(const std::vector<ModelRow>& rows) {
-    std::string text =
-        "# covariance        parameter  noise       rmse  predicted coverage log_evidence leave_one_out "
-        "amplification\n";
-    for (const ModelRow& row : rows)
-        text += line("%-20s %8g %6g %10.5g %10.5g %8.4f %12.5g %13.5g %13.5g\n", row.model.name(), row.model.parameter,
-                     row.noise, row.rmse, row.predicted, row.coverage, row.log_evidence, row.leave_one_out,
-                     row.amplification);
-    return text;
-}
+struct NoisyModel {
+    Model model;
+    double noise;
+};
 
-// The models that the table's columns choose, with the error that each choice brings.
-std::string choices(const std::vector<ModelRow>& rows, double mc_rmse) {
-    const auto least = [&](auto key) {
-        return *std::min_element(rows.begin(), rows.end(),
-                                 [&](const ModelRow& a, const ModelRow& b) { return key(a) < key(b); });
-    };
-    const ModelRow best = least([](const ModelRow& row) { return row.rmse; });
-    const ModelRow evident = least([](const ModelRow& row) { return -row.log_evidence; });
-    const ModelRow left_out = least([](const ModelRow& row) { return row.leave_one_out; });
-    return line("# Monte Carlo on the same sets has RMSE %.5g. In hindsight the best is %s: %.5g.\n", mc_rmse,
-                model_name(best).c_str(), best.rmse) +
-           line("# Without the truth, the evidence chooses %s: %.5g;\n#   the leave-one-out error chooses %s: %.5g.\n",
-                model_name(evident).c_str(), evident.rmse, model_name(left_out).c_str(), left_out.rmse);
-}
-
-std::string range_of_errors(const std::vector<ModelRow>& rows, CovarianceFamily family, double noise) {
-    double low = 1e300, high = 0;
-    for (const ModelRow& row : rows) {
-        if (row.model.family != family || row.noise != noise) continue;
-        low = std::min(low, row.rmse);
-        high = std::max(high, row.rmse);
-    }
-    return line("%s with noise %g %.3g to %.3g", name_of(family, covariance_names), noise, low, high);
-}
-
-// Adds what the process says of the integrand to the sums of a row.
-void add(ModelRow& row, const GaussianProcess& process, const Matrix& inverse, const Integrand& integrand) {
-    const std::vector<double> values = sample(integrand, process.directions());
-    const double n = static_cast<double>(values.size());
-    const double error = process.integral(values) - integrand.truth, predicted = process.standard_error(values);
-    row.rmse += error * error;
-    row.predicted += predicted * predicted;
-    row.coverage += std::fabs(error) <= 2 * predicted;
-    row.log_evidence += process.log_evidence(values) / n;
-    for (const double residual : process.leave_one_out(values, inverse)) row.leave_one_out += residual * residual / n;
-}
-
-}  // namespace
-
-std::vector<Model> compared_models() {
-    std::vector<Model> models;
-    for (double s : {1.1, 1.25, 1.4, 1.5, 1.8}) models.emplace_back(CovarianceFamily::sobolev, s);
-    for (double l : {0.25, 0.5, 1.0, 2.0}) models.emplace_back(CovarianceFamily::squared_exponential, l);
+std::vector<NoisyModel> compared_models() {
+    std::vector<NoisyModel> models;
+    for (const double s : {1.1, 1.25, 1.4, 1.5, 1.8}) models.push_back({{CovarianceFamily::sobolev, s}, 1e-2});
+    for (const double noise : {1e-3, 1e-1}) models.push_back({{CovarianceFamily::sobolev, 1.5}, noise});
+    for (const double noise : {1e-2, 1e-1})
+        for (const double l : {0.25, 0.5, 1.0, 2.0})
+            models.push_back({{CovarianceFamily::squared_exponential, l}, noise});
     return models;
 }
 
-std::vector<ModelRow> judge(const Model& model, double noise, const std::vector<std::vector<Integrand>>& groups,
-                            std::size_t n, std::size_t sets) {
-    std::vector<ModelRow> rows(groups.size(), ModelRow{model, noise, 0, 0, 0, 0, 0, 0});
-    for (std::size_t set = 0; set < sets; ++set) {
-        const GaussianProcess process(*model.covariance, noise, estimate_directions({}, n, set).directions);
-        const Matrix inverse = process.inverse_covariance();
-        for (std::size_t group = 0; group < groups.size(); ++group) {
-            for (const double weight : process.weights()) rows[group].amplification += std::fabs(weight) / (2 * pi);
-            for (const Integrand& integrand : groups[group]) add(rows[group], process, inverse, integrand);
-        }
-    }
-    for (std::size_t group = 0; group < groups.size(); ++group) {
-        ModelRow& row = rows[group];
-        const double estimates = static_cast<double>(sets * groups[group].size());
-        row.rmse = std::sqrt(row.rmse / estimates);
-        row.predicted = std::sqrt(row.predicted / estimates);
-        row.coverage /= estimates;
-        row.log_evidence /= estimates;
-        row.leave_one_out = std::sqrt(row.leave_one_out / estimates);
-        row.amplification /= static_cast<double>(sets);
-    }
-    return rows;
+constexpr std::size_t standard_model = 3;  // Sobolev 3/2, noise 0.01
+constexpr std::size_t n = 40;
+
+std::string heading(const std::vector<Column>& all) {
+    std::string text;
+    for (const Column& column : all) text += line(" %15s", column.name.c_str());
+    return text + '\n';
 }
 
-double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets) {
-    double squares = 0;
-    for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule(estimate_directions({}, n, set));
-        for (const Integrand& integrand : integrands) {
-            const double error = apply(rule, integrand) - integrand.truth;
-            squares += error * error;
-        }
-    }
-    return std::sqrt(squares / static_cast<double>(sets * integrands.size()));
-}
-
-Bias bias_of(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets) {
-    const Sobolev covariance;
-    const double count = static_cast<double>(sets);
-    double sum = 0, squares = 0;
-    for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = bayesian_rule(covariance, 1e-2, estimate_directions({}, n, set).directions);
-        double estimate = 0, truth = 0;
-        for (const Integrand& integrand : integrands) {
-            estimate += apply(rule, integrand);
-            truth += integrand.truth;
-        }
-        const double error = estimate / truth - 1;
-        sum += error;
-        squares += error * error;
-    }
-    const double mean = sum / count;
-    return {mean, std::sqrt((squares / count - mean * mean) / (count - 1))};
-}
-
-std::string Models::report() const {
-    constexpr std::size_t n = 40, sets = 200;
-    const std::vector<Integrand> smooth{practice_integrands()[1]}, radiance = scene_integrands();
-    std::vector<ModelRow> smooth_rows, radiance_rows;
-    for (const Model& model : compared_models())
-        for (const double noise : {1e-3, 1e-2, 1e-1}) {
-            const std::vector<ModelRow> rows = judge(model, noise, {smooth, radiance}, n, sets);
-            smooth_rows.push_back(rows[0]);
-            radiance_rows.push_back(rows[1]);
-        }
-    const double mc_rmse = monte_carlo_rmse(radiance, n, sets);
+// judged[c] holds the models' verdicts on column c.
+std::string model_table(const std::vector<Column>& all, const std::vector<std::vector<Judged>>& judged) {
     std::string text =
-        "# What cos(theta) requires: 200 random sets of 40 directions.\n" + model_table(smooth_rows) +
-        choices(smooth_rows, monte_carlo_rmse(smooth, n, sets)) +
-        "\n\n# What a scene requires: incident radiance times cos(theta) at five points, the same sets.\n" +
-        model_table(radiance_rows) + choices(radiance_rows, mc_rmse) +
-        "\n\n# Is the error bar honest? Fraction of errors within two predicted standard errors on the same radiance.\n"
-        "# smoothness samples       rmse  predicted coverage\n";
-    constexpr std::size_t counts[] = {20, 40, 80, 160};
-    for (const double s : {1.25, 1.5, 1.8})
-        for (const std::size_t count : counts) {
-            const ModelRow row = judge({CovarianceFamily::sobolev, s}, 1e-2, {radiance}, count, sets)[0];
-            text += line("%12g %7zu %10.5g %10.5g %8.4f\n", s, count, row.rmse, row.predicted, row.coverage);
-        }
-    text +=
-        "# RMSE on radiance: " + range_of_errors(radiance_rows, CovarianceFamily::sobolev, 1e-2) + ";\n#   " +
-        range_of_errors(radiance_rows, CovarianceFamily::squared_exponential, 1e-2) + ", " +
-        range_of_errors(radiance_rows, CovarianceFamily::squared_exponential, 1e-1) +
-        line("; Monte Carlo %.3g.\n", mc_rmse) +
-        "\n\n# Which way does a zero mean pull? Mean relative errors over 2000 sets, each with its standard error: a "
-        "constant\n"
-        "# comes out too small, but not what vanishes at the horizon, which the process does not know.\n"
-        "# samples   constant        +-     cosine        +-   radiance        +-\n";
-    for (const std::size_t count : {10u, 20u, 40u, 80u, 160u}) {
+        "# Which model? Root mean square errors with 40 samples: of cos(theta), and of incident radiance "
+        "times cos(theta)\n# at 100 points of the scene, drawn at random, under each light.\n"
+        "# covariance        parameter  noise" +
+        heading(all);
+    for (std::size_t i = 0; i < judged[0].size(); ++i) {
+        const Judged& first = judged[0][i];
+        text += line("%-20s %8g %6g", first.model.name(), first.model.parameter, first.noise);
+        for (const std::vector<Judged>& column : judged) text += line(" %15.4g", column[i].rmse());
+        text += '\n';
+    }
+    text += "monte-carlo                 -      -";
+    for (const Column& column : all) text += line(" %15.4g", monte_carlo_rmse(column.integrands, n, column.sets));
+    return text + '\n';
+}
+
+std::string choice_table(const std::vector<Column>& all, const std::vector<std::vector<Judged>>& judged) {
+    std::string text =
+        "\n\n# What do the samples choose of these models, without the truth? The RMSE of Sobolev 3/2 with "
+        "noise 0.01; of the\n# model that one set of 40 values chooses, and how often it is "
+        "squared-exponential; and of the one that all sets\n# choose: by the evidence, then by the "
+        "leave-one-out error.\n"
+        "# integrand       sobolev_3/2   evidence  smooth  pooled  leave_one_out  smooth  pooled\n";
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        const Choice evidence = choice_by(&Verdict::surprise, judged[c]),
+                     left_out = choice_by(&Verdict::leave_one_out, judged[c]);
+        text += line("%-16s %12.4g %10.4g %7.2f %7.4g %14.4g %7.2f %7.4g\n", all[c].name.c_str(),
+                     judged[c][standard_model].rmse(), evidence.rmse, evidence.smooth, evidence.pooled_rmse,
+                     left_out.rmse, left_out.smooth, left_out.pooled_rmse);
+    }
+    return text;
+}
+
+std::string coverage_table(const std::vector<Column>& all) {
+    std::string text =
+        "\n\n# Is the error bar honest? Fraction of errors within two predicted standard errors, and "
+        "predicted over actual RMSE.\n# samples";
+    for (const Column& column : all) text += line(" %15s %6s", column.name.c_str(), "ratio");
+    text += '\n';
+    for (const std::size_t count : {2u, 5u, 10u, 20u, 40u, 80u, 160u}) {
         text += line("%9zu", count);
-        for (const std::vector<Integrand>& integrands :
-             {std::vector<Integrand>{practice_integrands()[0]}, smooth, radiance}) {
-            const Bias bias = bias_of(integrands, count, 2000);
-            text += line(" %10.5f %9.5f", bias.mean, bias.standard_error);
+        for (const Column& column : all) {
+            const Judged judged = judge({CovarianceFamily::sobolev, 1.5}, 1e-2, column.integrands, count, column.sets);
+            text += line(" %15.3f %6.2f", judged.coverage(), judged.predicted() / judged.rmse());
         }
         text += '\n';
     }
     return text;
+}
+
+}  // namespace
+
+Judged judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t samples,
+             std::size_t sets) {
+    Judged judged{model, noise, {}};
+    for (std::size_t set = 0; set < sets; ++set) {
+        const GaussianProcess process(*model.covariance, noise, estimate_directions({}, samples, set).directions);
+        const Matrix inverse = process.inverse_covariance();
+        for (const Integrand& integrand : integrands) {
+            const std::vector<double> values = sample(integrand, process.directions());
+            double left_out = 0;
+            for (const double residual : process.leave_one_out(values, inverse)) left_out += residual * residual;
+            judged.verdicts.push_back({process.integral(values) - integrand.truth, process.standard_error(values),
+                                       -process.log_evidence(values), left_out / static_cast<double>(samples)});
+        }
+    }
+    return judged;
+}
+
+double Judged::rmse() const {
+    RootMeanSquare error;
+    for (const Verdict& verdict : verdicts) error.add(verdict.error);
+    return error.value();
+}
+
+double Judged::predicted() const {
+    RootMeanSquare error;
+    for (const Verdict& verdict : verdicts) error.add(verdict.predicted);
+    return error.value();
+}
+
+double Judged::coverage() const {
+    const auto within = std::count_if(verdicts.begin(), verdicts.end(),
+                                      [](const Verdict& v) { return std::fabs(v.error) <= 2 * v.predicted; });
+    return static_cast<double>(within) / static_cast<double>(verdicts.size());
+}
+
+Choice choice_by(double Verdict::*criterion, const std::vector<Judged>& models) {
+    RootMeanSquare error;
+    double smooth = 0;
+    for (std::size_t i = 0; i < models[0].verdicts.size(); ++i) {
+        const Judged& chosen = *std::min_element(models.begin(), models.end(), [&](const Judged& a, const Judged& b) {
+            return a.verdicts[i].*criterion < b.verdicts[i].*criterion;
+        });
+        error.add(chosen.verdicts[i].error);
+        smooth += chosen.model.family == CovarianceFamily::squared_exponential;
+    }
+    const auto sum = [&](const Judged& model) {
+        double all = 0;
+        for (const Verdict& verdict : model.verdicts) all += verdict.*criterion;
+        return all;
+    };
+    const Judged& pooled = *std::min_element(models.begin(), models.end(),
+                                             [&](const Judged& a, const Judged& b) { return sum(a) < sum(b); });
+    return {error.value(), smooth / error.count, pooled.rmse()};
+}
+
+double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t samples, std::size_t sets) {
+    RootMeanSquare error;
+    for (std::size_t set = 0; set < sets; ++set) {
+        const QuadratureRule rule = monte_carlo_rule(estimate_directions({}, samples, set));
+        for (const Integrand& integrand : integrands) error.add(apply(rule, integrand) - integrand.truth);
+    }
+    return error.value();
+}
+
+std::string Models::report() const {
+    const std::vector<Column> all = columns();
+    std::vector<std::vector<Judged>> judged(all.size());
+    for (std::size_t c = 0; c < all.size(); ++c)
+        for (const NoisyModel& compared : compared_models())
+            judged[c].push_back(judge(compared.model, compared.noise, all[c].integrands, n, all[c].sets));
+    return model_table(all, judged) + choice_table(all, judged) + coverage_table(all);
 }

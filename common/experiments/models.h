@@ -1,5 +1,5 @@
 // Which model an integrand requires: covariance, its parameter and the noise, judged by the error, which needs the
-// truth, and by the evidence and the leave-one-out error, which do not.
+// truth, and by the evidence and the leave-one-out error, which do not; and how honest the process's own error is.
 #pragma once
 
 #include "experiments/command.h"
@@ -22,33 +22,37 @@ struct Model {
     const char* name() const { return name_of(family, covariance_names); }
 };
 
-// Sobolev s = 1.1, 1.25, 1.4, 1.5, 1.8; squared-exponential l = 0.25, 0.5, 1, 2.
-std::vector<Model> compared_models();
-
-struct ModelRow {
-    Model model;
-    double noise;
-    double rmse;           // of the estimates, over all integrands and sample sets
-    double predicted;      // root mean square of the predicted standard errors
-    double coverage;       // fraction of errors within two predicted standard errors
-    double log_evidence;   // per sample
-    double leave_one_out;  // root mean square of the leave-one-out residuals
-    double amplification;  // mean of the sum of |w| over 2 pi: what errors in the samples grow by
+// What a process says of one integrand from one set of samples, and how far off its estimate is.
+struct Verdict {
+    double error, predicted;  // of the estimate; its standard error
+    double surprise;          // minus the log evidence
+    double leave_one_out;     // mean square of the residuals
 };
 
-// The model on so many fresh uniform sets of n directions: a row for each group of integrands, over all of them.
-std::vector<ModelRow> judge(const Model& model, double noise, const std::vector<std::vector<Integrand>>& groups,
-                            std::size_t n, std::size_t sets);
+// A model's verdicts on so many fresh uniform sets of n directions, on every integrand from each: in one order for all
+// models, so that verdict i of one and of another are from the same samples.
+struct Judged {
+    Model model;
+    double noise;
+    std::vector<Verdict> verdicts;
+
+    double rmse() const;
+    double predicted() const;  // root mean square of the predicted standard errors
+    double coverage() const;   // fraction of errors within two predicted ones
+};
+Judged judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
+             std::size_t sets);
+
+// The errors that are made if for each set of samples that model is taken whose verdict is least by the criterion, a
+// member of Verdict; how often that is a squared-exponential covariance; and the error of the one model whose sum over
+// all sets is least.
+struct Choice {
+    double rmse, smooth, pooled_rmse;
+};
+Choice choice_by(double Verdict::*criterion, const std::vector<Judged>& models);
 
 // Root mean square error of Monte Carlo on the same sets.
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);
-
-// Mean relative error of Bayesian Monte Carlo, Sobolev 3/2 with noise 0.01, on the sum of the integrands, and its
-// standard error.
-struct Bias {
-    double mean, standard_error;
-};
-Bias bias_of(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);
 
 struct Models {
     std::vector<Option> options() { return {}; }

@@ -11,23 +11,30 @@ std::vector<bool> object_mask(const Scene& scene, int width, int height) {
 }
 
 ImageError image_error(const std::vector<bool>& mask, const Image& image, const Image& truth) {
-    double count = 0, sum = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
-    std::size_t pixel = 0;
-    for (int y = 0; y < truth.height(); ++y)
-        for (int x = 0; x < truth.width(); ++x, ++pixel) {
-            if (!mask[pixel]) continue;
-            const Color here = image(x, y), true_here = truth(x, y), error = here - true_here;
-            const double squared = dot(error, error);
-            count += 3;
-            sum += here.x + here.y + here.z;
-            true_sum += true_here.x + true_here.y + true_here.z;
-            squares += squared;
-            if (x + 1 == truth.width() || !mask[pixel + 1]) continue;
-            const Color next = image(x + 1, y) - truth(x + 1, y);
-            products += dot(error, next);
-            pair_squares += (squared + dot(next, next)) / 2;
-        }
-    return {std::sqrt(squares / count), pair_squares > 0 ? products / pair_squares : 0, sum / true_sum - 1};
+    double count = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
+    Color sum;
+    const auto at_objects = [&](auto visit) {
+        std::size_t pixel = 0;
+        for (int y = 0; y < truth.height(); ++y)
+            for (int x = 0; x < truth.width(); ++x, ++pixel)
+                if (mask[pixel]) visit(x, y, image(x, y) - truth(x, y), x + 1 < truth.width() && mask[pixel + 1]);
+    };
+    at_objects([&](int x, int y, Color error, bool) {
+        const Color true_here = truth(x, y);
+        count += 1;
+        sum = sum + error;
+        true_sum += true_here.x + true_here.y + true_here.z;
+        squares += dot(error, error);
+    });
+    const Color mean = 1 / count * sum;
+    at_objects([&](int x, int y, Color error, bool has_neighbour) {
+        if (!has_neighbour) return;
+        const Color here = error - mean, next = image(x + 1, y) - truth(x + 1, y) - mean;
+        products += dot(here, next);
+        pair_squares += (dot(here, here) + dot(next, next)) / 2;
+    });
+    return {std::sqrt(squares / (3 * count)), pair_squares > 0 ? products / pair_squares : 0,
+            (sum.x + sum.y + sum.z) / true_sum};
 }
 
 double share_within_two(const std::vector<bool>& mask, const Image& image, const Image& truth, const Image& predicted) {

@@ -14,8 +14,8 @@ std::vector<bool> object_mask(const Scene& scene, int width, int height);
 // What an image differs from the truth by, over the pixels that show an object.
 struct ImageError {
     double rmse;         // of linear radiance, all channels
-    double correlation;  // of the errors of horizontally neighbouring pixels; 0 where there are none
-    double brightness;   // mean of the image over mean of the truth, minus 1
+    double correlation;  // of the errors of horizontally neighbouring pixels, less their mean; 0 where there are none
+    double brightness;   // mean error over mean of the truth
 };
 ImageError image_error(const std::vector<bool>& mask, const Image& image, const Image& truth);
 

@@ -1,10 +1,8 @@
-// What a pixel of the sphere scene integrates.
+// The integrals that a renderer estimates: what the experiments on models ask of a covariance.
 #pragma once
 
 #include "experiments/integrands.h"
 
-#include <vector>
-
-// Incident luminance times cos(theta), shadows included, at five points of the sphere scene in the built-in
-// environment: three on the sphere, two on the rectangle.
-std::vector<Integrand> scene_integrands();
+// Incident luminance times cos(theta), shadows included, at so many points that pixels of the sphere scene show, drawn
+// at random. Truths are dense quadratures.
+std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t points);

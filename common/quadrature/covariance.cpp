@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -10,10 +10,10 @@ using portable::pi;
 
 namespace {
 
-std::string in_words(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
+std::string described(const char* family, double parameter) {
+    std::ostringstream text;
+    text << family << parameter;
+    return text.str();
 }
 
 // The smallest modulus that is told apart: z is linear in c near the equator, so this moves it by less than 1e-17.
@@ -50,7 +50,9 @@ double cel(double q, double root_p, double a, double b) {
     return pi / 2 * (a * m + b) / (m * (m + p));
 }
 
-// The rim integral I below at s = 3/2.
+// The rim integral I below at s = 3/2, where z(c) = 2 pi C - (2^s / s) I has the closed form
+//     I = 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1),   q = c / (1 + sigma).
+// The factor q has gone into the last two arguments, which stay finite towards the equator.
 double elliptic_rim_integral(double cos_theta) {
     const auto [sigma, q] = Elevation(cos_theta);
     return 2 * std::sqrt(1 + sigma) * cel(q, 1 / q, 1 / q, q);
@@ -80,6 +82,13 @@ double mean_sine_power(double p) {
     double sum = 0;
     for (double y : logarithmic_nodes(rim_step / 2)) sum += portable::pow(2 * y / (1 + y * y), 3 + 2 * p);
     return portable::pow(2, 1 + p) / pi * rim_step / 2 * sum;
+}
+
+void require_no_known_part(KnownPart known) {
+    if (knows_cosine(known))
+        throw std::invalid_argument(
+            "the squared-exponential covariance has no closed form with the known part cosine; "
+            "take sobolev with smoothness 1.5");
 }
 
 }  // namespace
@@ -161,18 +170,7 @@ double Sobolev::double_integral(KnownPart known) const {
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
 
-std::string Sobolev::description() const { return "sobolev, smoothness " + in_words(exponent_ + 1); }
-
-namespace {
-
-void require_no_known_part(KnownPart known) {
-    if (knows_cosine(known))
-        throw std::invalid_argument(
-            "the squared-exponential covariance has no closed form with the known part cosine; "
-            "take sobolev with smoothness 1.5");
-}
-
-}  // namespace
+std::string Sobolev::description() const { return described("sobolev, smoothness ", exponent_ + 1); }
 
 SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length_scale * length_scale)) {
     if (!(length_scale >= 0.05) || !std::isfinite(length_scale))
@@ -220,7 +218,7 @@ double SquaredExponential::double_integral(KnownPart known) const {
 }
 
 std::string SquaredExponential::description() const {
-    return "squared-exponential, length-scale " + in_words(1 / std::sqrt(kappa_));
+    return described("squared-exponential, length-scale ", 1 / std::sqrt(kappa_));
 }
 
 std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double parameter) {

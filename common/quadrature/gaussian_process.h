@@ -1,4 +1,4 @@
-// A Gaussian process with zero prior mean over the hemisphere, and the Bayesian Monte Carlo estimate of an integral
+// A Gaussian process over the hemisphere, and the Bayesian Monte Carlo estimate of an integral
 // (Rasmussen & Ghahramani, "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
 //     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f p over H ~ sum of weights_i f(w_i),
 // where p is the known part of the integrand: 1 as in the practice, or cos(theta).

@@ -163,9 +163,22 @@ EnvironmentMap built_in_environment() { return desert(1); }
 
 EnvironmentMap bright_desert() { return desert(1000); }
 
+EnvironmentMap black_and_white() {
+    std::vector<float> rgb;
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) {
+            const double x = portable::sincos_turns((i + 0.5) / (width - 1) - 0.5).sine;
+            rgb.insert(rgb.end(), 3, x > 0 ? 1.0f : 0.0f);
+        }
+    return EnvironmentMap(width, height, std::move(rgb));
+}
+
+std::vector<std::string> built_in_lights() { return {"desert", "bright-desert", "black-and-white"}; }
+
 EnvironmentMap load_environment(const std::string& name) {
-    if (name.empty()) return built_in_environment();
+    if (name.empty() || name == "desert") return built_in_environment();
     if (name == "bright-desert") return bright_desert();
+    if (name == "black-and-white") return black_and_white();
     if (std::filesystem::is_directory(name)) throw std::runtime_error(name + ": this is a directory; name a .hdr file");
     std::ifstream in(name, std::ios::binary);
     if (!in) throw std::runtime_error(name + ": cannot open this environment: " + std::strerror(errno));

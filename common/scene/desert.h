@@ -1,9 +1,10 @@
-// The environment that the project brings along, and the choice between it and one from a file.
+// The lights that the project brings along, and the choice between them and one from a file.
 #pragma once
 
 #include "scene/environment.h"
 
 #include <string>
+#include <vector>
 
 // A desert with an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the arch:
 // 1024 x 512 texels of linear RGB radiance in [0, 1]. Portable arithmetic gives the same bits everywhere.
@@ -13,10 +14,18 @@ EnvironmentMap built_in_environment();
 // five sixths of the light.
 EnvironmentMap bright_desert();
 
-// The environment of a name: "bright-desert", a .hdr file, or the built-in one if the name is empty. Throws
+// The hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
+EnvironmentMap black_and_white();
+
+// Their names: desert, bright-desert, black-and-white.
+std::vector<std::string> built_in_lights();
+
+// The environment of a name: a built-in light, a .hdr file, or the desert if the name is empty. Throws
 // std::runtime_error, one line that names the file.
 EnvironmentMap load_environment(const std::string& name);
 
 // What a help text says of the name.
 constexpr const char* environment_help =
-    "light from a Radiance .hdr file, or bright-desert: the built-in desert, its sun a thousand times brighter";
+    "light from a Radiance .hdr file, bright-desert (its sun a thousand times brighter) or black-and-white (half of "
+    "the "
+    "directions bring light)";

@@ -27,7 +27,7 @@ Pilot run_pilot(const Scene& scene, const Light& light, const RenderSettings& se
             if (!hit) continue;
             Random random = pixel_stream(settings, x, y);
             errors.push_back(
-                pixel_error(scene, light, settings.prior.known, *hit, rules.of(hit->normal, settings.samples, random)));
+                pixel_error(scene, light, settings.prior.known, *hit, rules.of(hit->normal, random)));
             pilot.amplitude += errors.back().amplitude;
         }
     if (errors.empty()) return pilot;

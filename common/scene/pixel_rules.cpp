@@ -64,10 +64,10 @@ PlacedRule PixelRules::pool(Vec3 normal, double u, double turns) const {
 }
 // END SOLUTION
 
-PlacedRule PixelRules::of(Vec3 normal, std::size_t samples, Random& random) const {
+PlacedRule PixelRules::of(Vec3 normal, Random& random) const {
     if (settings_.method == Method::direct) return direct(normal, random);
     if (settings_.method == Method::single) return single(normal);
-    if (shared_rules_.empty()) return {fresh_rule(samples, random), Frame(normal)};
+    if (shared_rules_.empty()) return {fresh_rule(settings_.samples, random), Frame(normal)};
     const double u = random.uniform();
     const double turns = random.uniform();
     return settings_.method == Method::pool ? pool(normal, u, turns) : rotated(normal, turns);

@@ -59,9 +59,6 @@ struct PlacedRule {
     Frame frame;
 };
 
-// Independent directions of Monte Carlo that a pixel draws at a time, so that their number may be any.
-constexpr std::size_t most_fresh_directions = 4096;
-
 class PixelRules {
 public:
     // The averages of a known light, null for one that is not. Both arguments must outlive this.
@@ -73,9 +70,8 @@ public:
     std::size_t shared_count() const;
     const std::vector<std::shared_ptr<const PixelRule>>& shared() const { return shared_rules_; }
 
-    // The rule of a pixel, from its stream of random numbers: a fresh one has so many samples, a shared one those of
-    // the settings.
-    PlacedRule of(Vec3 normal, std::size_t samples, Random& random) const;
+    // The rule of a pixel, from its stream of random numbers.
+    PlacedRule of(Vec3 normal, Random& random) const;
 
 private:
     std::shared_ptr<const PixelRule> fresh_rule(std::size_t samples, Random& random) const;

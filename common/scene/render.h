@@ -11,7 +11,7 @@
 
 #include <functional>
 
-// Called with the fraction of the image that is done, from one thread.
+// Called with the fraction of the steps that are done, rules and rows, from one thread.
 using Progress = std::function<void(double)>;
 
 // The image of linear radiance, or of its predicted standard errors, 0 where no object is. Every pixel draws from a

@@ -133,11 +133,10 @@ public:
         for (std::size_t i = 0; i < shared_.size(); ++i) shared_[i].assign(*rules.shared()[i]);
     }
 
-    std::size_t render(int y, Image& image) const {
+    void render(int y, Image& image) const {
         thread_local Block block;
         const Camera camera{settings_.width, settings_.height};
         const std::size_t pixels = std::clamp(most_rays / settings_.samples, least_pixels, most_pixels);
-        std::size_t objects = 0;
         for (int x = 0; x < settings_.width; ++x) {
             const Ray ray = camera.ray(x, y);
             const std::optional<Hit> hit = intersect(scene_, ray);
@@ -145,12 +144,10 @@ public:
                 image.set(x, y, environment_.interpolated_radiance(ray.direction));
                 continue;
             }
-            ++objects;
             add_pixel(x, y, *hit, block);
             if (block.size == pixels) finish(block, y, image);
         }
         finish(block, y, image);
-        return objects;
     }
 
 private:
@@ -161,7 +158,7 @@ private:
         pixel.column = x;
         pixel.hit = hit;
         if (shared_.empty()) {
-            const PlacedRule placed = rules_.of(hit.normal, settings_.samples, random);
+            const PlacedRule placed = rules_.of(hit.normal, random);
             block.fresh[block.size].assign(*placed.rule);
             pixel.rule = &block.fresh[block.size];
             pixel.set_frame(placed.frame);
@@ -317,8 +314,6 @@ private:
 
 }  // namespace
 
-RenderRow rows_fast(const RenderRow& plain, const Scene& scene, const Light& light, const RenderSettings& settings,
-                    const PixelRules& rules) {
-    if (rules.shared().empty() && settings.samples > most_fresh_directions) return plain;
-    return [rows = Rows(scene, light, settings, rules)](int y, Image& image) { return rows.render(y, image); };
+RenderRow rows_fast(const Scene& scene, const Light& light, const RenderSettings& settings, const PixelRules& rules) {
+    return [rows = Rows(scene, light, settings, rules)](int y, Image& image) { rows.render(y, image); };
 }

@@ -10,10 +10,7 @@
 
 #include <functional>
 
-// Renders row y and returns how many of its pixels show an object.
-using RenderRow = std::function<std::size_t(int y, Image& image)>;
-
-// The same as the plain one, which remains for Monte Carlo in parts (render.cpp). All arguments must outlive it; it
-// holds the shared rules that there are now.
-RenderRow rows_fast(const RenderRow& plain, const Scene& scene, const Light& light, const RenderSettings& settings,
-                    const PixelRules& rules);
+// Renders row y. All arguments of rows_fast must outlive what it returns, which holds the shared rules that there are
+// now.
+using RenderRow = std::function<void(int y, Image& image)>;
+RenderRow rows_fast(const Scene& scene, const Light& light, const RenderSettings& settings, const PixelRules& rules);

@@ -63,7 +63,7 @@ void check(const Rule& rule) {
     check(rule.settings);
 }
 
-void check(const Tradeoff& tradeoff) { require(tradeoff.size >= 2 && tradeoff.size <= 1024); }
+void check(const Tradeoff& tradeoff) { require(tradeoff.costs.size >= 2 && tradeoff.costs.size <= 1024); }
 
 template <class Parse>
 void parse(Parse parse_words, std::vector<std::string> words) {

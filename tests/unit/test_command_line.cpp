@@ -61,7 +61,8 @@ TEST_CASE("numbers are read entirely or not at all") {
          {"", "0", "21", "1.5", "1e1", "99999999999999999999", "-1", "0x10", "nan", " 17", "17 ", "\n17"})
         CHECK_THROWS_AS(parse_integer(text, 1, 20), UsageError);
     CHECK(parse_seed("0") == 0);
-    for (const char* text : {"-1", " 1", "1 "}) CHECK_THROWS_AS(parse_seed(text), UsageError);
+    CHECK(parse_seed("18446744073709551615") == ~std::uint64_t{0});
+    for (const char* text : {"-1", " 1", "1 ", "18446744073709551616"}) CHECK_THROWS_AS(parse_seed(text), UsageError);
 }
 
 TEST_CASE("a choice is one of the names of a table, and the help lists them") {

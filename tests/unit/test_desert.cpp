@@ -1,3 +1,4 @@
+#include "quadrature/hemisphere.h"
 #include "scene/desert.h"
 
 #include <doctest/doctest.h>
@@ -77,4 +78,15 @@ TEST_CASE("the bright desert is the desert, but for its sun a thousand times as 
     const Vec3 sun{0.8, 0.48, 0.36};
     CHECK(std::fabs(bright_desert().radiance(sun).x / built_in_environment().radiance(sun).x - 1000) < 1e-3);
     CHECK(load_environment("bright-desert").radiance(sun).x == bright_desert().radiance(sun).x);
+}
+
+TEST_CASE("black and white is light from every direction with x > 0, and none from elsewhere") {
+    const EnvironmentMap map = load_environment("black-and-white");
+    Random random(1, 0);
+    for (const Vec3& w : uniform_directions(1000, random)) {
+        if (std::fabs(w.x) < 0.01) continue;  // a column is 0.006 wide
+        CHECK(map.radiance(w).x == (w.x > 0 ? 1 : 0));
+        CHECK(map.radiance(-1 * w).z == (w.x > 0 ? 0 : 1));
+    }
+    for (const std::string& name : built_in_lights()) CHECK(load_environment(name).width() == 1024);
 }

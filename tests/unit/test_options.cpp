@@ -46,10 +46,16 @@ TEST_CASE("only a picture has a light that can be known") {
     CHECK(parse({"--method", "mc", "--known", "light"},
                 joined({{RenderOptions(settings).method}, RenderOptions(settings).process}))
               .empty());
+}
+
+TEST_CASE("only a lattice of Monte Carlo has more than 4096 samples") {
+    RenderSettings settings;
     settings.samples = 4097;
-    CHECK_NOTHROW(require_possible(settings));
-    settings.method = Method::pool;
     CHECK_THROWS_AS(require_possible(settings), UsageError);
+    settings.method = Method::mc;
+    CHECK_THROWS_AS(require_possible(settings), UsageError);
+    settings.placement = Placement::fibonacci;
+    CHECK_NOTHROW(require_possible(settings));
 }
 
 TEST_CASE("Monte Carlo on a lattice predicts no error") {

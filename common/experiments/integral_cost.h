@@ -1,0 +1,36 @@
+// What the accuracy of an integral costs: errors against samples, and the seconds of each stage of a rule. Seconds are
+// measured and differ from run to run.
+#pragma once
+
+#include "experiments/command.h"
+#include "experiments/integrands.h"
+
+#include <string>
+#include <vector>
+
+// Median seconds of each stage between drawing a sample set and having an estimate.
+struct StageTimes {
+    double draw, covariance, factor, z, weights, estimate;
+
+    double rule() const { return draw + covariance + factor + z + weights; }
+};
+
+struct IntegralCost {
+    std::size_t samples;
+    double mc_error;                    // root mean square, from the variance of the integrand
+    double bmc_error, bmc_error_error;  // root mean square over fresh sets, and its standard error
+    StageTimes seconds;                 // zero unless timed
+
+    // Samples with which Monte Carlo would have the error of Bayesian Monte Carlo.
+    double equivalent_mc_samples() const;
+
+    // Integrals after which a rule made once has cost less time than Monte Carlo at equal error; an estimate of Monte
+    // Carlo draws its directions afresh.
+    double integrals_to_pay_off() const;
+};
+
+// Sobolev 3/2, noise 0.01, on the integrand.
+std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed);
+
+// The rows as a table; where they are timed, with the stage that takes most.
+std::string integral_report(const std::vector<IntegralCost>& rows, bool timed);

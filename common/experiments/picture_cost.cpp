@@ -1,0 +1,192 @@
+#include "experiments/picture_cost.h"
+
+#include "experiments/picture_error.h"
+#include "experiments/root_mean_square.h"
+#include "experiments/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace {
+
+constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, cosine = Placement::cosine,
+               cosine_fibonacci = Placement::cosine_fibonacci;
+constexpr Prior uniform_mean{KnownPart::nothing, PriorMean::uniform}, known_cosine{KnownPart::cosine, PriorMean::zero},
+    known_light{KnownPart::light, PriorMean::zero};
+
+RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior = {}) {
+    RenderSettings settings;
+    settings.method = method;
+    settings.pool = pool;
+    settings.placement = placement;
+    settings.prior = prior;
+    return settings;
+}
+
+constexpr int timed_size = 64;
+constexpr int timed_runs = 4;
+
+// Seconds of one rendering on one core, the best of a few.
+double fastest_render(const Scene& scene, const Light& light, const RenderSettings& settings) {
+    double fastest = 0;
+    for (int run = 0; run < timed_runs; ++run) {
+        const double seconds = seconds_of([&] { render(scene, light, settings); });
+        fastest = run == 0 ? seconds : std::min(fastest, seconds);
+    }
+    return fastest;
+}
+
+// The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time,
+// which is that of a picture large enough for the clock, whatever the size of the others.
+double seconds_per_megapixel(const Scene& scene, const Light& light, RenderSettings settings) {
+    settings.threads = 1;
+    settings.width = settings.height = timed_size;
+    const double whole = fastest_render(scene, light, settings);
+    settings.width = settings.height = 1;
+    const double rules = fastest_render(scene, light, settings);
+    return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(scene, timed_size, timed_size);
+}
+
+bool shares_rules(const RenderSettings& settings) {
+    return settings.method != Method::direct && (settings.method != Method::mc || is_lattice(settings.placement));
+}
+
+// Where pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it; elsewhere every pixel is
+// a sample, and the seeds are for the brightness. Fewer where it would take long.
+std::uint64_t seeds_of(const RenderSettings& settings) {
+    if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
+    return shares_rules(settings) ? std::max<std::uint64_t>(16, 64 / settings.pool) : 16;
+}
+
+PictureCost picture_cost(const Scene& scene, const Light& light, RenderSettings settings, const std::vector<bool>& mask,
+                         const Image& truth) {
+    RootMeanSquare rmse, brightness;
+    double correlation = 0;
+    const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
+    for (; settings.seed != first + seeds; ++settings.seed) {
+        const ImageError error = image_error(mask, render(scene, light, settings), truth);
+        rmse.add(error.rmse);
+        brightness.add(error.brightness);
+        correlation += error.correlation / static_cast<double>(seeds);
+    }
+    return {settings, rmse.value(), rmse.standard_error(), correlation, brightness.value(), 0};
+}
+
+// The row of classic Monte Carlo on random directions with as many samples.
+const PictureCost& classic(const std::vector<PictureCost>& rows, const PictureCost& row) {
+    return *std::find_if(rows.begin(), rows.end(), [&](const PictureCost& other) {
+        return other.settings.method == Method::mc && other.settings.placement == uniform &&
+               other.settings.prior.known == KnownPart::nothing && other.settings.samples == row.settings.samples;
+    });
+}
+
+std::string name_columns(const RenderSettings& s) {
+    return line("%-8s %5zu %-16s %-7s %-7s", name_of(s.method, method_names), s.pool,
+                name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
+                name_of(s.prior.mean, prior_mean_names));
+}
+
+}  // namespace
+
+std::vector<RenderSettings> main_settings() {
+    return {settings_of(Method::mc, 1, uniform),
+            settings_of(Method::direct, 1, uniform),
+            settings_of(Method::single, 1, uniform),
+            settings_of(Method::rotated, 1, uniform),
+            settings_of(Method::pool, 5, uniform),
+            settings_of(Method::pool, 20, uniform),
+            settings_of(Method::pool, 20, uniform, uniform_mean),
+            settings_of(Method::mc, 1, fibonacci),
+            settings_of(Method::pool, 20, fibonacci),
+            settings_of(Method::pool, 20, cosine_fibonacci, known_cosine),
+            settings_of(Method::mc, 1, uniform, known_light),
+            settings_of(Method::pool, 20, uniform, known_light),
+            settings_of(Method::mc, 1, cosine_fibonacci, known_light),
+            settings_of(Method::pool, 20, cosine_fibonacci, known_light)};
+}
+
+std::vector<RenderSettings> all_settings() {
+    std::vector<RenderSettings> list;
+    for (const Method method : {Method::mc, Method::direct, Method::single, Method::rotated})
+        for (const Placement placement : {uniform, fibonacci}) list.push_back(settings_of(method, 1, placement));
+    for (const std::size_t pool : {1u, 2u, 5u, 20u})
+        for (const Placement placement : {uniform, fibonacci})
+            list.push_back(settings_of(Method::pool, pool, placement));
+    for (const Placement placement : {cosine, cosine_fibonacci}) list.push_back(settings_of(Method::mc, 1, placement));
+    for (const Placement placement : {uniform, fibonacci})
+        list.push_back(settings_of(Method::pool, 20, placement, uniform_mean));
+    for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform})
+        for (const Placement placement : {uniform, cosine, cosine_fibonacci})
+            list.push_back(settings_of(Method::pool, 20, placement, {KnownPart::cosine, mean}));
+    for (const Placement placement : {uniform, cosine_fibonacci}) {
+        list.push_back(settings_of(Method::mc, 1, placement, known_light));
+        list.push_back(settings_of(Method::pool, 20, placement, known_light));
+    }
+    return list;
+}
+
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<RenderSettings>& compared,
+                                       const std::vector<std::size_t>& samples, const CostSettings& costs,
+                                       const Progress& progress) {
+    const Scene scene = sphere_scene();
+    const Light light(environment);
+    const auto sized = [&](RenderSettings settings, std::size_t n) {
+        settings.samples = n;
+        settings.seed = 1000 * (costs.seed - 1) + 1;
+        settings.width = settings.height = costs.size;
+        settings.threads = std::max(1u, std::thread::hardware_concurrency());
+        return settings;
+    };
+    const Image truth = render(scene, light, sized(settings_of(Method::mc, 1, cosine_fibonacci, known_light), 10000));
+    const std::vector<bool> mask = object_mask(scene, costs.size, costs.size);
+    if (!(image_error(mask, truth, truth).brightness == 0))  // 0 / 0
+        throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
+    std::vector<PictureCost> rows;
+    for (const RenderSettings& settings : compared)
+        for (const std::size_t n : samples) {
+            rows.push_back(picture_cost(scene, light, sized(settings, n), mask, truth));
+            if (costs.timed)
+                rows.back().seconds_per_megapixel = seconds_per_megapixel(scene, light, sized(settings, n));
+            const auto all = static_cast<double>(compared.size() * samples.size());
+            if (progress) progress(static_cast<double>(rows.size()) / all);
+        }
+    return rows;
+}
+
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
+    std::string text = line(
+        "# method  pool placement        known   mean    samples       rmse     +-rmse correlation brightness "
+        "mc_samples%s\n",
+        timed ? "  s/megapixel efficiency" : "");
+    for (const PictureCost& row : rows) {
+        const PictureCost& mc = classic(rows, row);
+        const double gain = mc.rmse * mc.rmse / (row.rmse * row.rmse);
+        text += name_columns(row.settings) + line(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", row.settings.samples,
+                                                  row.rmse, row.rmse_error, row.correlation, row.brightness,
+                                                  static_cast<double>(row.settings.samples) * gain);
+        if (timed)
+            text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
+                         gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string paired_table(const std::vector<PictureCost>& rows, bool timed) {
+    const std::size_t few = rows[0].settings.samples, many = rows[1].settings.samples;
+    std::string text = line(
+        "# method  pool placement        known   mean       rmse_%zu  +-rmse_%zu brightness_%zu    rmse_%zu  "
+        "+-rmse_%zu "
+        "brightness_%zu correlation_%zu%s\n",
+        few, few, few, many, many, many, many, timed ? "  s/megapixel" : "");
+    for (std::size_t i = 0; i < rows.size(); i += 2) {
+        text += name_columns(rows[i].settings);
+        for (const PictureCost* row : {&rows[i], &rows[i + 1]})
+            text += line(" %10.5f %10.5f %13.5f", row->rmse, row->rmse_error, row->brightness);
+        text += line(" %14.4f", rows[i + 1].correlation);
+        text += (timed ? line(" %12.3g", rows[i + 1].seconds_per_megapixel) : "") + '\n';
+    }
+    return text;
+}

@@ -1,0 +1,44 @@
+// What the accuracy of a picture costs: the sphere scene by every method against a dense quadrature. Errors are
+// functions of the arguments; seconds are measured and differ from run to run.
+#pragma once
+
+#include "experiments/command.h"
+#include "scene/render.h"
+
+#include <string>
+#include <vector>
+
+struct CostSettings {
+    int size = 64;           // of the pictures, size x size pixels
+    std::uint64_t seed = 1;  // of the first picture, by the thousand
+    bool timed = true;
+};
+
+// One method: errors over several seeds, as many as make them the method's and not the seed's. A method that shares
+// rules between pixels has as many independent rules as seeds, not as pixels.
+struct PictureCost {
+    RenderSettings settings;
+    double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
+    double rmse_error;             // standard error of rmse
+    double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds
+    double brightness;             // root mean square over the seeds of ImageError::brightness
+    double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
+};
+
+// The settings that are compared, numbers of samples apart: those that README tells of; and mc, direct, single, rotated
+// and pools of 1, 2, 5 and 20 on uniform and Fibonacci directions, then mc on cosine-distributed directions and pools
+// of 20 for every prior on the directions that suit it, and last with the light known.
+std::vector<RenderSettings> main_settings();
+std::vector<RenderSettings> all_settings();
+
+// Each of the settings with each of the numbers of samples. Throws std::invalid_argument if the environment lights no
+// object: there is nothing to compare. progress is told the fraction that is done.
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<RenderSettings>& compared,
+                                       const std::vector<std::size_t>& samples, const CostSettings& costs,
+                                       const Progress& progress = nullptr);
+
+// A row for each picture.
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
+
+// A row for two pictures, which differ by their numbers of samples; the seconds are those of the second.
+std::string paired_table(const std::vector<PictureCost>& rows, bool timed);
