@@ -24,13 +24,13 @@ $(BUILD)/unit_tests: $(TESTS) $(COMMON)
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
-test: all $(BUILD)/unit_tests $(BUILD)/compare
+include tests/course/alone.mk
+test: all $(BUILD)/unit_tests $(BUILD)/compare $(ALONE)
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run
 
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite
 
-include tests/course/alone.mk
 handout: all $(ALONE)
 	BUILD=$(BUILD) BIN=$(BIN) tests/course/handout
 

@@ -150,7 +150,7 @@ void method(Method its) {
         Random random(3, i), same(3, i);
         const double u = same.uniform(), turns = same.uniform();
         const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 0.1 + u, turns - 0.5});
-        pixels.push_back({u, turns, rules.of(normal, settings.samples, random), normal});
+        pixels.push_back({u, turns, rules.of(normal, random), normal});
         const CosineRule& rule = pixels.back().placed.rule->rule;
         for (std::size_t j = 0; j < rule.size(); ++j)
             upright = upright && std::fabs(pixels.back().local(j).y - static_cast<double>(rule[j].direction.y)) < 1e-3;
