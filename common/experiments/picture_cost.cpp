@@ -3,6 +3,7 @@
 #include "experiments/picture_error.h"
 #include "experiments/root_mean_square.h"
 #include "experiments/stopwatch.h"
+#include "scene/pilot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,9 @@ constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, c
 constexpr Prior uniform_mean{KnownPart::nothing, PriorMean::uniform}, known_cosine{KnownPart::cosine, PriorMean::zero},
     known_light{KnownPart::light, PriorMean::zero};
 
-RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior = {}) {
+}  // namespace
+
+RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior) {
     RenderSettings settings;
     settings.method = method;
     settings.pool = pool;
@@ -24,6 +27,8 @@ RenderSettings settings_of(Method method, std::size_t pool, Placement placement,
     settings.prior = prior;
     return settings;
 }
+
+namespace {
 
 constexpr int timed_size = 64;
 constexpr int timed_runs = 4;
@@ -60,18 +65,30 @@ std::uint64_t seeds_of(const RenderSettings& settings) {
     return shares_rules(settings) ? std::max<std::uint64_t>(16, 64 / settings.pool) : 16;
 }
 
+Image predicted_errors(const Scene& scene, const Light& light, RenderSettings settings) {
+    settings.show = Show::error;
+    return render(scene, light, settings);
+}
+
 PictureCost picture_cost(const Scene& scene, const Light& light, RenderSettings settings, const std::vector<bool>& mask,
                          const Image& truth) {
-    RootMeanSquare rmse, brightness;
-    double correlation = 0;
+    RootMeanSquare rmse, brightness, predicted;
+    double correlation = 0, within = 0;
     const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
+    const std::uint64_t predictions = predicts_error(settings) ? 4 : 0;
     for (; settings.seed != first + seeds; ++settings.seed) {
-        const ImageError error = image_error(mask, render(scene, light, settings), truth);
+        const Image image = render(scene, light, settings);
+        const ImageError error = image_error(mask, image, truth);
         rmse.add(error.rmse);
         brightness.add(error.brightness);
         correlation += error.correlation / static_cast<double>(seeds);
+        if (settings.seed - first >= predictions) continue;
+        const Image errors = predicted_errors(scene, light, settings);
+        predicted.add(root_mean_square(errors, object_pixels(scene, settings.width, settings.height)));
+        within += share_within_two(mask, image, truth, errors) / static_cast<double>(predictions);
     }
-    return {settings, rmse.value(), rmse.standard_error(), correlation, brightness.value(), 0};
+    return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
+            within,   correlation,  brightness.value(),    0};
 }
 
 // The row of classic Monte Carlo on random directions with as many samples.
@@ -82,13 +99,29 @@ const PictureCost& classic(const std::vector<PictureCost>& rows, const PictureCo
     });
 }
 
+std::string prediction_columns(const PictureCost& row) {
+    return row.predicted > 0 ? line(" %10.5f %6.3f", row.predicted, row.within) : "          -      -";
+}
+
+}  // namespace
+
 std::string name_columns(const RenderSettings& s) {
     return line("%-8s %5zu %-16s %-7s %-7s", name_of(s.method, method_names), s.pool,
                 name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
                 name_of(s.prior.mean, prior_mean_names));
 }
 
-}  // namespace
+RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std::size_t samples) {
+    settings.samples = samples;
+    settings.seed = 1000 * (costs.seed - 1) + 1;
+    settings.width = settings.height = costs.size;
+    settings.threads = std::max(1u, std::thread::hardware_concurrency());
+    return settings;
+}
+
+Image dense_picture(const Scene& scene, const Light& light, const CostSettings& costs) {
+    return render(scene, light, sized_as(costs, settings_of(Method::mc, 1, cosine_fibonacci, known_light), 10000));
+}
 
 std::vector<RenderSettings> main_settings() {
     return {settings_of(Method::mc, 1, uniform),
@@ -132,14 +165,8 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
                                        const Progress& progress) {
     const Scene scene = sphere_scene();
     const Light light(environment);
-    const auto sized = [&](RenderSettings settings, std::size_t n) {
-        settings.samples = n;
-        settings.seed = 1000 * (costs.seed - 1) + 1;
-        settings.width = settings.height = costs.size;
-        settings.threads = std::max(1u, std::thread::hardware_concurrency());
-        return settings;
-    };
-    const Image truth = render(scene, light, sized(settings_of(Method::mc, 1, cosine_fibonacci, known_light), 10000));
+    const auto sized = [&](RenderSettings settings, std::size_t n) { return sized_as(costs, settings, n); };
+    const Image truth = dense_picture(scene, light, costs);
     const std::vector<bool> mask = object_mask(scene, costs.size, costs.size);
     if (!(image_error(mask, truth, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
@@ -158,7 +185,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
     std::string text = line(
         "# method  pool placement        known   mean    samples       rmse     +-rmse correlation brightness "
-        "mc_samples%s\n",
+        "mc_samples  predicted within%s\n",
         timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
         const PictureCost& mc = classic(rows, row);
@@ -166,6 +193,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         text += name_columns(row.settings) + line(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", row.settings.samples,
                                                   row.rmse, row.rmse_error, row.correlation, row.brightness,
                                                   static_cast<double>(row.settings.samples) * gain);
+        text += prediction_columns(row);
         if (timed)
             text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
                          gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
@@ -178,14 +206,14 @@ std::string paired_table(const std::vector<PictureCost>& rows, bool timed) {
     const std::size_t few = rows[0].settings.samples, many = rows[1].settings.samples;
     std::string text = line(
         "# method  pool placement        known   mean       rmse_%zu  +-rmse_%zu brightness_%zu    rmse_%zu  "
-        "+-rmse_%zu "
-        "brightness_%zu correlation_%zu%s\n",
-        few, few, few, many, many, many, many, timed ? "  s/megapixel" : "");
+        "+-rmse_%zu brightness_%zu correlation_%zu predict_%zu within predict_%zu within%s\n",
+        few, few, few, many, many, many, many, few, many, timed ? "  s/megapixel" : "");
     for (std::size_t i = 0; i < rows.size(); i += 2) {
         text += name_columns(rows[i].settings);
         for (const PictureCost* row : {&rows[i], &rows[i + 1]})
             text += line(" %10.5f %10.5f %13.5f", row->rmse, row->rmse_error, row->brightness);
-        text += line(" %14.4f", rows[i + 1].correlation);
+        text +=
+            line(" %14.4f", rows[i + 1].correlation) + prediction_columns(rows[i]) + prediction_columns(rows[i + 1]);
         text += (timed ? line(" %12.3g", rows[i + 1].seconds_per_megapixel) : "") + '\n';
     }
     return text;

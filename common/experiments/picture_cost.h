@@ -20,10 +20,22 @@ struct PictureCost {
     RenderSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
     double rmse_error;             // standard error of rmse
+    double predicted, within;      // RMSE that pictures predict, share of errors within two predicted ones; 0 if none
     double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds
     double brightness;             // root mean square over the seeds of ImageError::brightness
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
 };
+
+RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior = {});
+
+// The settings with these samples, the size and the seed.
+RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std::size_t samples);
+
+// What pictures are compared with.
+Image dense_picture(const Scene& scene, const Light& light, const CostSettings& costs);
+
+// The first columns of every row.
+std::string name_columns(const RenderSettings& settings);
 
 // The settings that are compared, numbers of samples apart: those that README tells of; and mc, direct, single, rotated
 // and pools of 1, 2, 5 and 20 on uniform and Fibonacci directions, then mc on cosine-distributed directions and pools

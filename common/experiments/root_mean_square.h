@@ -15,7 +15,7 @@ struct RootMeanSquare {
         fourth_powers += error * error * (error * error);
     }
 
-    double value() const { return std::sqrt(squares / count); }
+    double value() const { return count > 0 ? std::sqrt(squares / count) : 0; }
 
     // The standard error of the mean square, over the derivative of the square.
     double standard_error() const {

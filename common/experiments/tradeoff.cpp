@@ -1,5 +1,6 @@
 #include "experiments/tradeoff.h"
 
+#include "experiments/asked_rmse.h"
 #include "experiments/integral_cost.h"
 #include "scene/desert.h"
 
@@ -7,7 +8,8 @@ namespace {
 
 const char* const meaning =
     "# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its\n"
-    "# standard error; brightness: root mean square of the mean's relative error; correlation: of the errors of\n"
+    "# standard error; predicted: the rmse that 4 pictures predict; within: the share of their errors within two\n"
+    "# predicted ones; brightness: root mean square of the mean's relative error; correlation: of the errors of\n"
     "# neighbouring pixels, less their mean; mc_samples: samples with which mc has this rmse.\n";
 const char* const measured =
     "# Measured here: seconds for a million pixels of objects on one core; efficiency, 1 / (rmse^2 seconds), is that\n"
@@ -22,7 +24,8 @@ std::vector<Option> Tradeoff::options() {
              [this](const std::string& text) { costs.size = static_cast<int>(parse_integer(text, 2, 1024)); }},
             {"seed", "K", "other random numbers for other K (default 1)",
              [this](const std::string& text) { costs.seed = parse_seed(text); }},
-            {"all", "", "every setting with 10 to 160 samples, under one light (default: the desert)",
+            {"all", "",
+             "every setting with 10 to 160 samples, and what --rmse gives, under one light (default: the desert)",
              [this](const std::string&) { all = true; }},
             {"no-times", "", "leave out what is measured and differs from run to run",
              [this](const std::string&) { costs.timed = false; }}};
@@ -46,6 +49,10 @@ std::string Tradeoff::report() const {
         text +=
             all ? picture_table(picture_costs(*light, all_settings(), {10, 20, 40, 80, 160}, costs, share), costs.timed)
                 : paired_table(picture_costs(*light, main_settings(), {10, 40}, costs, share), costs.timed);
+        if (all)
+            text +=
+                "\n\n# Samples that ./renderer --rmse takes for what is asked, and what 4 pictures with them have.\n" +
+                asked_table(*light, costs);
     }
     return text;
 }
