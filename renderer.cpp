@@ -2,6 +2,7 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
+#include "numerics/cholesky.h"
 #include "options.h"
 #include "scene/desert.h"
 #include "scene/pilot.h"
@@ -58,7 +59,10 @@ std::vector<Option> picture_options(Request& request) {
             {"threads", "T", "changes the time only, not the picture (default: all cores)",
              [&](const std::string& text) { settings.threads = static_cast<unsigned>(parse_integer(text, 1, 256)); }},
             {"plain", "", "the textbook's loops: slower, the same bytes",
-             [&](const std::string&) { settings.plain = true; }},
+             [&](const std::string&) {
+                 settings.plain = true;
+                 cholesky_fast_from = max_process_samples + 1;
+             }},
             {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
 }
 

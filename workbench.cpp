@@ -29,7 +29,7 @@ std::vector<Command> commands() {
 Command command_named(const std::string& name) {
     std::string names;
     for (const Command& command : commands()) {
-        if (command.name == name) return command;
+        if (command.name == name && !name.empty()) return command;
         names += (names.empty() ? "" : ", ") + command.name;
     }
     throw UsageError("there is no command '" + name + "'; the commands are " + names);
@@ -66,7 +66,7 @@ struct Request {
 // Throws UsageError.
 Request parse(int argc, char** argv) {
     const bool named = argc > 1 && argv[1][0] != '-';
-    Request request{command_named(named ? argv[1] : "")};
+    Request request{named ? command_named(argv[1]) : commands().front()};
     std::vector<Option> options = request.command.options;
     options.push_back({"help", "", "", [&](const std::string&) { request.help = true; }});
     try {

@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
-#include <system_error>
 
 namespace {
 
@@ -22,7 +21,8 @@ void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
 #else
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe and a limit on files are then failed writes
+    std::signal(SIGXFSZ, SIG_IGN);
 #endif
     const bool written = std::fwrite(output.data(), 1, output.size(), stdout) == output.size();
     if (!written || std::fclose(stdout) != 0)  // a short output is written here
@@ -42,8 +42,9 @@ UsageError not_found(int reason, char** argv) {
     return UsageError("there is no option " + name + "; --help lists them all");
 }
 
-// One line, whatever the words and file names in it hold.
+// One line, whatever the words and file names in it hold, and not a long one.
 void print_error(const char* name, std::string text) {
+    if (text.size() > 600) text.replace(200, text.size() - 500, "...");
     for (char& c : text)
         if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
     std::fprintf(stderr, "%s: %s\n", name, text.c_str());
@@ -174,9 +175,6 @@ int run_program(const char* name, const std::function<Outcome()>& body) {
         return 2;
     } catch (const std::bad_alloc&) {
         print_error(name, "there is not enough memory; ask for fewer samples or pixels");
-    } catch (const std::system_error& error) {
-        const bool threads = error.code() == std::errc::resource_unavailable_try_again;
-        print_error(name, threads ? "the system starts no more threads; ask for fewer with --threads" : error.what());
     } catch (const std::exception& error) {
         print_error(name, error.what());
     }

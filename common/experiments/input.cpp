@@ -13,6 +13,8 @@
 
 namespace {
 
+constexpr double largest_number = 1e100;  // so that sums of squares are finite
+
 [[noreturn]] void fail(std::size_t line, const std::string& problem) {
     throw std::runtime_error("line " + std::to_string(line) + ": " + problem);
 }
@@ -38,6 +40,7 @@ bool next_line(std::istream& in, std::string& text, std::size_t line) {
 }
 
 std::vector<double> numbers_of(std::string text, std::size_t line) {
+    if (text.find('\0') < text.size()) fail(line, "it holds a byte 0; this is no text");
     text.erase(std::min(text.find('#'), text.size()));
     if (has_decimal_commas(text)) fail(line, "its commas seem to be decimal ones; write points");
     std::replace(text.begin(), text.end(), ',', ' ');
@@ -46,8 +49,9 @@ std::vector<double> numbers_of(std::string text, std::size_t line) {
     for (std::string word; words >> word;) {
         char* end = nullptr;
         numbers.push_back(std::strtod(word.c_str(), &end));
-        if (end != word.c_str() + word.size() || !std::isfinite(numbers.back()))
+        if (end != word.c_str() + word.size() || std::isnan(numbers.back()))
             fail(line, "'" + word.substr(0, 40) + "' is not a number; a comment begins with #");
+        if (std::fabs(numbers.back()) > largest_number) fail(line, "'" + word.substr(0, 40) + "' is larger than 1e100");
     }
     return numbers;
 }

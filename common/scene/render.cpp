@@ -6,6 +6,7 @@
 #include <atomic>
 #include <future>
 #include <optional>
+#include <system_error>
 
 namespace {
 
@@ -76,7 +77,10 @@ Image render(const Scene& scene, const Light& light, const RenderSettings& setti
         }
     };
     std::vector<std::future<void>> helpers;
-    for (unsigned i = 1; i < settings.threads; ++i) helpers.push_back(std::async(std::launch::async, work, false));
+    try {
+        for (unsigned i = 1; i < settings.threads; ++i) helpers.push_back(std::async(std::launch::async, work, false));
+    } catch (const std::system_error&) {  // the system starts no more: those that it has started do all
+    }
     work(true);
     for (std::future<void>& helper : helpers) helper.get();
     if (progress) progress(1);
