@@ -2,6 +2,38 @@
 
 #include <algorithm>
 
+namespace {
+
+// The sums of a quotient: of all light, and of what arrives.
+struct Quotient {
+    Color all, visible;
+
+    void add(Color light, bool is_visible) {
+        all += light;
+        if (is_visible) visible += light;
+    }
+
+    // All arrives of a colour that no ray has.
+    Color operator()() const {
+        const auto fraction = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
+        return {fraction(visible.x, all.x), fraction(visible.y, all.y), fraction(visible.z, all.z)};
+    }
+};
+
+}  // namespace
+
+std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
+    if (light.sun().empty()) return 0;
+    const double half = 0.5 * light.sun().share() * static_cast<double>(samples);
+    return std::max<std::size_t>(static_cast<std::size_t>(half + 0.5), 1);
+}
+
+CosineRule quotient_rule(const QuadratureRule& rule) {
+    CosineRule quotient = cosine_rule(rule);
+    for (WeightedDirection& each : quotient) each.weight = std::max(each.weight, 0.0);
+    return quotient;
+}
+
 // No task of the practice, but near one: the hand-out leaves it out as it leaves out the tasks.
 
 // BEGIN SOLUTION extra
@@ -16,30 +48,29 @@ std::vector<const LightTable*> caps_of(const QuadratureRule& rule, const Prefilt
 // END SOLUTION
 
 // BEGIN SOLUTION extra
-namespace {
+Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, const SunRays& rays) {
+    Quotient fraction;
+    for (std::size_t j = 0; j < rays.count; ++j) {
+        const double stratum = static_cast<double>(j) + rays.u;
+        const Sun::Ray& ray = light.sun().ray(stratum / static_cast<double>(rays.count));
+        const double cosine = std::max(dot(hit.normal, ray.direction), 0.0);
+        fraction.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
+    }
+    return fraction();
+}
+// END SOLUTION
 
-// A visible part of the light, in [0, 1] whatever the weights; 0 where no direction has light of this colour.
-double fraction(double visible, double all) { return all > 0 ? std::clamp(visible / all, 0.0, 1.0) : 0; }
-
-}  // namespace
-
+// BEGIN SOLUTION extra
 Color reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit,
-                            const CosineRule& rule, const std::vector<const LightTable*>& caps, const Frame& frame) {
-    Color visible, all;
-    bool shadowed = false;
+                            const CosineRule& rule, const std::vector<const LightTable*>& caps, const Frame& frame,
+                            const SunRays& sun) {
+    Quotient visible_sky;
     for (std::size_t i = 0; i < rule.size(); ++i) {
         const Direction direction = frame.to_world(rule[i].direction);
-        const Color part = rule[i].weight * caps[i]->radiance(direction);
-        all += part;
-        if (is_shadowed(scene, hit, direction))
-            shadowed = true;
-        else
-            visible += part;
+        visible_sky.add(rule[i].weight * caps[i]->radiance(direction), !is_shadowed(scene, hit, direction));
     }
-    Color irradiance = light.irradiance(hit.normal);
-    if (shadowed)
-        irradiance =
-            irradiance * Color{fraction(visible.x, all.x), fraction(visible.y, all.y), fraction(visible.z, all.z)};
+    const Color irradiance = light.sky_irradiance(hit.normal) * visible_sky() +
+                             light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, sun);
     return 1 / portable::pi * (hit.albedo * irradiance);
 }
 // END SOLUTION

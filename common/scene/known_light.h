@@ -2,10 +2,15 @@
 // traces a ray is the visibility V, 0 or 1. For a Lambertian surface with the normal n
 //     L_o = (albedo / pi) integral over H of V L cos(theta) dw
 //         ~ (albedo / pi) E(n) sum of w_j L_j V_j / sum of w_j L_j,
-// where w_j are the weights of a rule for the known part cos(theta), and L_j the mean of L over the cap around sample j
-// whose solid angle is the sample's own, w_j / cos(theta_j). The quotient makes a constant V exact. Means over the
-// solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance sampling", Computer
-// Graphics Forum 27(4), 2008.
+// where w_j are the weights of a rule for the known part cos(theta), none below 0, and L_j the mean of L over the cap
+// around sample j whose solid angle is the sample's own, w_j / cos(theta_j). The quotient makes a constant V exact.
+// Means over the solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance
+// sampling", Computer Graphics Forum 27(4), 2008.
+//
+// The sun (sun.h) is a light of its own, with the same quotient: its rays j = 0 .. m - 1 go to the texels after the
+// fractions (j + u) / m of its light, u a random number of the pixel, and w_j is cos(theta_j), 0 below the horizon.
+// Of a pixel's samples the sun has half of its share of the light, one at least, and the sky's rule has the others, one
+// at least: the edge of what hides the sun needs few.
 #pragma once
 
 #include "scene/prefiltered_environment.h"
@@ -13,10 +18,26 @@
 
 #include <vector>
 
+// How many of a pixel's samples go to the sun: none where there is none, otherwise one at least.
+std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
+
+// The rule with weights for the quotient.
+CosineRule quotient_rule(const QuadratureRule& rule);
+
 // For each direction of the rule the averages of the light over caps of about the sample's solid angle: between a
 // quarter of an even share of the hemisphere and four times as much, also where a weight is negative.
 std::vector<const LightTable*> caps_of(const QuadratureRule& rule, const PrefilteredEnvironment& light);
 
-// L_o, linear RGB, by a rule that the frame carries to the surface, and caps[i] of its directions.
+// A pixel's rays to the sun: their number, and the u in [0, 1) that shifts them.
+struct SunRays {
+    std::size_t count = 0;
+    double u = 0;
+};
+
+// The fraction of each colour of the sun's light that passes the other object; 1 where no ray has any.
+Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, const SunRays& rays);
+
+// L_o, linear RGB, by a quotient rule that the frame carries to the surface, caps[i] of its directions, and the sun.
 Color reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit,
-                            const CosineRule& rule, const std::vector<const LightTable*>& caps, const Frame& frame);
+                            const CosineRule& rule, const std::vector<const LightTable*>& caps, const Frame& frame,
+                            const SunRays& sun);

@@ -26,8 +26,7 @@ Pilot run_pilot(const Scene& scene, const Light& light, const RenderSettings& se
             const std::optional<Hit> hit = intersect(scene, camera.ray(x, y));
             if (!hit) continue;
             Random random = pixel_stream(settings, x, y);
-            errors.push_back(
-                pixel_error(scene, light, settings.prior.known, *hit, rules.of(hit->normal, random)));
+            errors.push_back(pixel_error(scene, light, settings.prior.known, *hit, rules.of(hit->normal, random)));
             pilot.amplitude += errors.back().amplitude;
         }
     if (errors.empty()) return pilot;
@@ -35,7 +34,7 @@ Pilot run_pilot(const Scene& scene, const Light& light, const RenderSettings& se
     pilot.amplitude = 1 / count * pilot.amplitude;
     double squares = 0;
     for (const PixelError& error : errors) {
-        const Color predicted = standard_error(error, pilot.amplitude, settings.samples);
+        const Color predicted = standard_error(error, pilot.amplitude, rules.samples());
         squares += dot(predicted, predicted);
     }
     pilot.rmse = std::sqrt(squares / (3 * count));

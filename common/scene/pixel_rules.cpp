@@ -1,7 +1,14 @@
 #include "scene/pixel_rules.h"
 
+#include <algorithm>
+
 PixelRules::PixelRules(const RenderSettings& settings, const PrefilteredEnvironment* averages)
-    : settings_(settings), averages_(averages), covariance_(settings.make_covariance()) {}
+    : settings_(settings),
+      averages_(averages),
+      covariance_(settings.make_covariance()),
+      sun_samples_(averages ? ::sun_samples(*averages, settings.samples) : 0) {
+    settings_.samples = std::max<std::size_t>(settings.samples - sun_samples_, 1);
+}
 
 std::size_t PixelRules::shared_count() const {
     if (settings_.method == Method::pool) return settings_.pool;
@@ -26,7 +33,7 @@ std::shared_ptr<const PixelRule> PixelRules::fresh_rule(std::size_t samples, Ran
         rule = {process.directions(), process.weights(), settings_.prior.known};
         if (settings_.show == Show::error) pixel_rule.process = std::move(process);
     }
-    pixel_rule.rule = cosine_rule(rule);
+    pixel_rule.rule = averages_ ? quotient_rule(rule) : cosine_rule(rule);
     if (averages_) pixel_rule.caps = caps_of(rule, *averages_);
     return std::make_shared<const PixelRule>(std::move(pixel_rule));
 }
@@ -65,6 +72,12 @@ PlacedRule PixelRules::pool(Vec3 normal, double u, double turns) const {
 // END SOLUTION
 
 PlacedRule PixelRules::of(Vec3 normal, Random& random) const {
+    PlacedRule placed = without_sun(normal, random);
+    if (sun_samples_ > 0) placed.sun = {sun_samples_, random.uniform()};
+    return placed;
+}
+
+PlacedRule PixelRules::without_sun(Vec3 normal, Random& random) const {
     if (settings_.method == Method::direct) return direct(normal, random);
     if (settings_.method == Method::single) return single(normal);
     if (shared_rules_.empty()) return {fresh_rule(settings_.samples, random), Frame(normal)};

@@ -53,10 +53,11 @@ struct PixelRule {
     std::optional<GaussianProcess> process;  // that gave the weights, where errors are shown
 };
 
-// A rule and the frame that carries it to the surface.
+// A rule and the frame that carries it to the surface, and the rays to a sun that is known.
 struct PlacedRule {
     std::shared_ptr<const PixelRule> rule;
     Frame frame;
+    SunRays sun{};
 };
 
 class PixelRules {
@@ -70,18 +71,24 @@ public:
     std::size_t shared_count() const;
     const std::vector<std::shared_ptr<const PixelRule>>& shared() const { return shared_rules_; }
 
+    // A pixel's samples: those of its rule, and those of a sun that is known (known_light.h).
+    std::size_t samples() const { return settings_.samples; }
+    std::size_t sun_samples() const { return sun_samples_; }
+
     // The rule of a pixel, from its stream of random numbers.
     PlacedRule of(Vec3 normal, Random& random) const;
 
 private:
     std::shared_ptr<const PixelRule> fresh_rule(std::size_t samples, Random& random) const;
+    PlacedRule without_sun(Vec3 normal, Random& random) const;
     PlacedRule direct(Vec3 normal, Random& random) const;
     PlacedRule single(Vec3 normal) const;
     PlacedRule rotated(Vec3 normal, double turns) const;
     PlacedRule pool(Vec3 normal, double u, double turns) const;
 
-    const RenderSettings& settings_;
+    RenderSettings settings_;  // of the rules
     const PrefilteredEnvironment* averages_;
     std::unique_ptr<Covariance> covariance_;
+    std::size_t sun_samples_;
     std::vector<std::shared_ptr<const PixelRule>> shared_rules_;
 };

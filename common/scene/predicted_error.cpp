@@ -102,10 +102,16 @@ PixelError pixel_error(const Scene& scene, const Light& light, KnownPart known, 
                        const PlacedRule& placed) {
     const Samples samples = samples_of(scene, light, hit, placed);
     PixelError error = known == KnownPart::light
-                           ? error_of_visibility(*placed.rule, light.averages().irradiance(hit.normal), samples)
+                           ? error_of_visibility(*placed.rule, light.averages().sky_irradiance(hit.normal), samples)
                            : error_of_light(*placed.rule, known, samples);
     const Color brdf = 1 / portable::pi * hit.albedo;
     error.amplitude = brdf * brdf * error.amplitude;
+    if (placed.sun.count > 0) {
+        const Color visible = visible_sun(scene, light.averages(), hit, placed.sun);
+        const Color sun = brdf * light.averages().sun_irradiance(hit.normal);
+        const Color hidden = Color{1, 1, 1} - visible;
+        error.sun = 1 / static_cast<double>(placed.sun.count) * (sun * sun * visible * hidden);
+    }
     return error;
 }
 // END SOLUTION
@@ -116,7 +122,8 @@ Color standard_error(const PixelError& error, Color picture_amplitude, std::size
     Color result;
     for (const auto channel : channels)
         result.*channel = std::sqrt(error.variance.*channel / (n + more) *
-                                    (n * error.amplitude.*channel + more * picture_amplitude.*channel));
+                                        (n * error.amplitude.*channel + more * picture_amplitude.*channel) +
+                                    error.sun.*channel);
     return result;
 }
 

@@ -13,6 +13,8 @@
 // nothing left that differs.)
 // Monte Carlo on independent directions has the variance of its samples in place of Y^T Q^-1 Y / n, and U = 1 / n; for
 // a known light the variance of the v_j, and U = sum of m_j^2.
+// A known sun adds (albedo / pi)^2 E_sun(n)^2 f (1 - f) / m, f the fraction of m rays that reach it: nothing where all
+// of them agree.
 #pragma once
 
 #include "scene/image.h"
@@ -21,6 +23,7 @@
 struct PixelError {
     Color amplitude;  // a^2
     Color variance;   // U
+    Color sun{};      // the variance by a known sun
 };
 
 // Of what a point reflects by a rule of Monte Carlo, or of a process that was kept. Throws std::invalid_argument for

@@ -159,8 +159,13 @@ private:
 
 }  // namespace
 
-PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map) : irradiance_(map) {
-    const SolidTexels texels(map, 256, 128);
+PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map)
+    : sun_(map),
+      without_sun_(sun_.empty() ? std::nullopt : std::optional(sun_.sky())),
+      sky_(without_sun_ ? *without_sun_ : map),
+      irradiance_(sky_) {
+    if (!sun_.empty()) sun_irradiance_.emplace(sun_.alone());
+    const SolidTexels texels(sky_, 256, 128);
     std::vector<CapAverages> levels;
     for (double solid_angle = pi; 2 * std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows(); solid_angle /= 4) {
         levels.emplace_back(solid_angle, texels);
@@ -180,7 +185,7 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map) : irra
         caps_.push_back(levels[i].rgb(1e-6 * mean));
         tables_[i].rgb = caps_.back().data();
     }
-    tables_.push_back({texels.solid_angle(texels.rows() / 2), map.width(), map.height(), map.texels()});
+    tables_.push_back({texels.solid_angle(texels.rows() / 2), sky_.width(), sky_.height(), sky_.texels()});
 }
 
 const LightTable& PrefilteredEnvironment::table(double solid_angle) const {

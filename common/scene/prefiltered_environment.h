@@ -5,6 +5,7 @@
 
 #include "scene/environment.h"
 #include "scene/irradiance_map.h"
+#include "scene/sun.h"
 
 #include <optional>
 #include <vector>
@@ -30,6 +31,9 @@ public:
     PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;
     PrefilteredEnvironment& operator=(const PrefilteredEnvironment&) = delete;
 
+    // The sun has no part in the caps' means.
+    const Sun& sun() const { return sun_; }
+
     // Caps of solid angle pi, by quarters down to ten texels across, and last the map itself. A texel of a table holds
     // the mean over all the caps whose centres lie in it, so that the table holds as much light as the map, however
     // small the source; and a millionth of the mean over all directions, so that where there is light no cap is black.
@@ -38,11 +42,17 @@ public:
     // The table whose caps come nearest to a solid angle > 0 by their ratio.
     const LightTable& table(double solid_angle) const;
 
-    // E(n) of a unit normal.
-    Color irradiance(Vec3 normal) const { return irradiance_(normal); }
+    // E(n) of a unit normal, by the sky, by the sun, and by both.
+    Color sky_irradiance(Vec3 normal) const { return irradiance_(normal); }
+    Color sun_irradiance(Vec3 normal) const { return sun_irradiance_ ? (*sun_irradiance_)(normal) : Color{}; }
+    Color irradiance(Vec3 normal) const { return sky_irradiance(normal) + sun_irradiance(normal); }
 
 private:
+    const Sun sun_;
+    const std::optional<EnvironmentMap> without_sun_;  // where there is one
+    const EnvironmentMap& sky_;
     IrradianceMap irradiance_;
+    std::optional<IrradianceMap> sun_irradiance_;
     std::vector<std::vector<float>> caps_;
     std::vector<LightTable> tables_;
 };

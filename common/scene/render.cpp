@@ -37,13 +37,13 @@ private:
         const PlacedRule placed = rules_.of(hit.normal, random);
         if (settings_.show == Show::picture) return reflected(hit, placed);
         const PixelError error = pixel_error(scene_, light_, settings_.prior.known, hit, placed);
-        return standard_error(error, picture_amplitude_, settings_.samples);
+        return standard_error(error, picture_amplitude_, rules_.samples());
     }
 
     Color reflected(const Hit& hit, const PlacedRule& placed) const {
         const auto& [rule, caps, process] = *placed.rule;
         return settings_.prior.known == KnownPart::light
-                   ? reflected_known_light(scene_, light_.averages(), hit, rule, caps, placed.frame)
+                   ? reflected_known_light(scene_, light_.averages(), hit, rule, caps, placed.frame, placed.sun)
                    : reflected_light(scene_, light_.environment(), hit, rule, placed.frame);
     }
 

@@ -48,6 +48,7 @@ struct Rule {
 
 struct Pixel {
     int column;
+    Color sun;  // its irradiance by a known sun
     Hit hit;
     Direction tangent{Vec3{}}, normal{Vec3{}}, bitangent{Vec3{}};
     const Rule* rule;
@@ -124,7 +125,8 @@ void find_rays(const Scene& scene, const Pixel& pixel, std::size_t begin, std::s
 class Rows {
 public:
     Rows(const Scene& scene, const Light& light, const RenderSettings& settings, const PixelRules& rules)
-        : scene_(scene),
+        : samples_(rules.samples()),
+          scene_(scene),
           environment_(light.environment()),
           averages_(settings.prior.known == KnownPart::light ? &light.averages() : nullptr),
           settings_(settings),
@@ -136,7 +138,7 @@ public:
     void render(int y, Image& image) const {
         thread_local Block block;
         const Camera camera{settings_.width, settings_.height};
-        const std::size_t pixels = std::clamp(most_rays / settings_.samples, least_pixels, most_pixels);
+        const std::size_t pixels = std::clamp(most_rays / samples_, least_pixels, most_pixels);
         for (int x = 0; x < settings_.width; ++x) {
             const Ray ray = camera.ray(x, y);
             const std::optional<Hit> hit = intersect(scene_, ray);
@@ -157,11 +159,13 @@ private:
         Pixel& pixel = block.pixel[block.size];
         pixel.column = x;
         pixel.hit = hit;
+        SunRays rays;
         if (shared_.empty()) {
             const PlacedRule placed = rules_.of(hit.normal, random);
             block.fresh[block.size].assign(*placed.rule);
             pixel.rule = &block.fresh[block.size];
             pixel.set_frame(placed.frame);
+            rays = placed.sun;
         } else if (settings_.method == Method::single) {
             pixel.rule = &shared_[0];
             pixel.set_frame(Frame(hit.normal));
@@ -172,6 +176,8 @@ private:
             pixel.rule = &shared_[static_cast<std::size_t>(u * count)];
             pixel.set_frame(Frame(hit.normal).rotated(turns));
         }
+        if (!shared_.empty() && rules_.sun_samples() > 0) rays = {rules_.sun_samples(), random.uniform()};
+        if (averages_) pixel.sun = averages_->sun_irradiance(hit.normal) * visible_sun(scene_, *averages_, hit, rays);
         ++block.size;
     }
 
@@ -182,17 +188,17 @@ private:
             pixel.shadowed = false;
         }
         const std::size_t batch = block.size > 0 ? most_rays / block.size : 0;
-        for (std::size_t begin = 0; begin < settings_.samples && block.size > 0; begin += batch) {
-            const std::size_t n = std::min(batch, settings_.samples - begin);
+        for (std::size_t begin = 0; begin < samples_ && block.size > 0; begin += batch) {
+            const std::size_t n = std::min(batch, samples_ - begin);
             if (averages_)
-                add_known_light(block, begin, n, begin + n == settings_.samples);
+                add_known_light(block, begin, n, begin + n == samples_);
             else
                 add_light(block, begin, n);
         }
         for (std::size_t p = 0; p < block.size; ++p) {
             const Pixel& pixel = block.pixel[p];
             const Color irradiance =
-                averages_ ? known_irradiance(pixel) : Color{pixel.sum[0], pixel.sum[1], pixel.sum[2]};
+                averages_ ? known_irradiance(pixel) + pixel.sun : Color{pixel.sum[0], pixel.sum[1], pixel.sum[2]};
             image.set(pixel.column, y, 1 / portable::pi * (pixel.hit.albedo * irradiance));
         }
         block.size = 0;
@@ -233,11 +239,9 @@ private:
     }
 
     Color known_irradiance(const Pixel& pixel) const {
-        const Color irradiance = averages_->irradiance(pixel.hit.normal);
+        const Color irradiance = averages_->sky_irradiance(pixel.hit.normal);
         if (!pixel.shadowed) return irradiance;
-        const auto fraction = [&](int k) {
-            return pixel.all[k] > 0 ? std::clamp(pixel.sum[k] / pixel.all[k], 0.0, 1.0) : 0;
-        };
+        const auto fraction = [&](int k) { return pixel.all[k] > 0 ? pixel.sum[k] / pixel.all[k] : 1; };
         return irradiance * Color{fraction(0), fraction(1), fraction(2)};
     }
 
@@ -304,6 +308,7 @@ private:
         for (std::size_t k = 0; k < together; ++k) std::memcpy(block.pixel[p + k].sum, &sum[k], sizeof sum[k]);
     }
 
+    const std::size_t samples_;
     const Scene& scene_;
     const EnvironmentMap& environment_;
     const PrefilteredEnvironment* averages_;  // null unless the light is known

@@ -1,0 +1,40 @@
+// The sun of an environment map: its texels of more than a hundred times the mean radiance. Hardly a direction of a
+// rule meets them, whatever it weighs, so they have rays of their own: each kind of light is sampled by what suits it
+// (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
+#pragma once
+
+#include "scene/environment.h"
+
+#include <vector>
+
+class Sun {
+public:
+    explicit Sun(const EnvironmentMap& map);
+
+    bool empty() const { return rays_.empty(); }
+
+    // Its light over that of the whole map.
+    double share() const { return empty() ? 0 : light_.back() / all_; }
+
+    // The map with nothing but the sun, or with all but the sun.
+    EnvironmentMap alone() const { return without(false); }
+    EnvironmentMap sky() const { return without(true); }
+
+    // To the middle of a texel, whose radiance has this colour.
+    struct Ray {
+        Vec3 direction;
+        Color colour;
+    };
+
+    // The texel that light meets after a fraction u in [0, 1) of all of it, texels taken row by row.
+    const Ray& ray(double u) const;
+
+private:
+    EnvironmentMap without(bool sun) const;
+
+    const EnvironmentMap& map_;
+    double all_;
+    std::vector<Ray> rays_;
+    std::vector<std::size_t> texels_;
+    std::vector<double> light_;  // of this texel and those before it
+};
