@@ -276,3 +276,16 @@ TEST_CASE("two equal directions without noise are not positive definite") {
                       "squared-exponential, length-scale 0.5, 2 directions: the matrix is not positive definite: pivot "
                       "1 is 0 and must exceed 4.4e-16; raise the noise");
 }
+
+TEST_CASE("a noise that is negative or no finite number is refused") {
+    for (const double noise : {-1e-300, std::nan(""), HUGE_VAL})
+        CHECK_THROWS_AS(GaussianProcess(Sobolev(), noise, {{0, 1, 0}}), std::invalid_argument);
+}
+
+TEST_CASE("a direction that rounding has made longer than 1 has the z of the pole") {
+    for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine})
+        CHECK(hemisphere_integrals(Sobolev(), {{0, 1.0000009, 0}}, known)[0] ==
+              hemisphere_integrals(Sobolev(), {{0, 1, 0}}, known)[0]);
+    CHECK(hemisphere_integrals(SquaredExponential(), {{0, 1.0000009, 0}})[0] ==
+          hemisphere_integrals(SquaredExponential(), {{0, 1, 0}})[0]);
+}
