@@ -49,9 +49,10 @@ std::vector<double> numbers_of(std::string text, std::size_t line) {
     for (std::string word; words >> word;) {
         char* end = nullptr;
         numbers.push_back(std::strtod(word.c_str(), &end));
+        const std::string quoted = '\'' + word.substr(0, 40) + '\'';
         if (end != word.c_str() + word.size() || std::isnan(numbers.back()))
-            fail(line, "'" + word.substr(0, 40) + "' is not a number; a comment begins with #");
-        if (std::fabs(numbers.back()) > largest_number) fail(line, "'" + word.substr(0, 40) + "' is larger than 1e100");
+            fail(line, quoted + " is not a number; a comment begins with #");
+        if (std::fabs(numbers.back()) > largest_number) fail(line, quoted + " is larger than 1e100");
     }
     return numbers;
 }

@@ -131,7 +131,7 @@ void choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     }
     std::printf("# rules never chosen:");
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        std::printf(chosen.count(i) ? "" : " %zu of %zu", i, numbers.size());
+        if (chosen.count(i) == 0) std::printf(" %zu of %zu", i, numbers.size());
     std::printf("\n# rule chosen_from_u to_u\n");
     for (const auto& [number, u] : chosen) std::printf("%zu %.3f %.3f\n", number, u.first, u.second);
 }
