@@ -12,9 +12,11 @@ double brightness(Color c) { return c.x + c.y + c.z; }
 
 double all_light(const SolidTexels& texels) {
     double sum = 0;
-    for (int row = 0; row < texels.rows(); ++row)
-        for (int column = 0; column < texels.columns(); ++column)
-            sum += texels.solid_angle(row) * brightness(texels(row, column));
+    for (int row = 0; row < texels.rows(); ++row) {
+        Color of_row;
+        for (int column = 0; column < texels.columns(); ++column) of_row += texels(row, column);
+        sum += texels.solid_angle(row) * brightness(of_row);
+    }
     return sum;
 }
 
