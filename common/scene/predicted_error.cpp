@@ -13,8 +13,8 @@ constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
 // BEGIN SOLUTION extra
 namespace {
 
-// What a rule of n directions sees from a point: for direction j whether the environment is visible, and its light or,
-// where that is known, the mean over the direction's cap.
+// What a rule of n directions sees from a point: for direction j whether the environment is visible, and the light that
+// arrives or, where that is known, the mean over the direction's cap.
 struct Samples {
     std::vector<double> visible;
     std::vector<Color> light;
@@ -22,11 +22,16 @@ struct Samples {
 
 Samples samples_of(const Scene& scene, const Light& light, const Hit& hit, const PlacedRule& placed) {
     const auto& [rule, caps, process] = *placed.rule;
+    std::vector<Direction> directions;
+    for (const WeightedDirection& each : rule) directions.push_back(placed.frame.to_world(each.direction));
     Samples samples;
+    for (const Direction& direction : directions) samples.visible.push_back(is_shadowed(scene, hit, direction) ? 0 : 1);
+    samples.light.resize(rule.size());
     for (std::size_t j = 0; j < rule.size(); ++j) {
-        const Direction direction = placed.frame.to_world(rule[j].direction);
-        samples.visible.push_back(is_shadowed(scene, hit, direction) ? 0 : 1);
-        samples.light.push_back(caps.empty() ? light.environment().radiance(direction) : caps[j]->radiance(direction));
+        if (!caps.empty())
+            samples.light[j] = caps[j]->radiance(directions[j]);
+        else if (samples.visible[j] > 0)
+            samples.light[j] = light.environment().radiance(directions[j]);
     }
     return samples;
 }
@@ -56,7 +61,7 @@ PixelError error_of_light(const PixelRule& rule, KnownPart known, const Samples&
         for (std::size_t j = 0; j < count; ++j) {
             const auto& [direction, weight] = rule.rule[j];
             const double factor = !rule.process ? n * weight : known == KnownPart::cosine ? 1 : direction.y;
-            values[j] = factor * samples.visible[j] * samples.light[j].*channel;
+            values[j] = factor * samples.light[j].*channel;
         }
         if (rule.process) {
             const double amplitude = rule.process->amplitude(values);
