@@ -1,6 +1,7 @@
 #include "scene/known_light.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace {
 
@@ -48,15 +49,22 @@ std::vector<const LightTable*> caps_of(const QuadratureRule& rule, const Prefilt
 // END SOLUTION
 
 // BEGIN SOLUTION extra
-Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, const SunRays& rays) {
+VisibleSun visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, const SunRays& rays) {
+    Random random = rays.random;
     Quotient fraction;
+    std::optional<bool> last;
+    double changes = 0;
     for (std::size_t j = 0; j < rays.count; ++j) {
-        const double stratum = static_cast<double>(j) + rays.u;
+        const double stratum = static_cast<double>(j) + random.uniform();
         const Sun::Ray& ray = light.sun().ray(stratum / static_cast<double>(rays.count));
-        const double cosine = std::max(dot(hit.normal, ray.direction), 0.0);
-        fraction.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
+        const double cosine = dot(hit.normal, ray.direction);
+        if (cosine <= 0) continue;
+        const bool passes = !is_shadowed(scene, hit, ray.direction);
+        fraction.add(cosine * ray.colour, passes);
+        changes += passes != last.value_or(passes);
+        last = passes;
     }
-    return fraction();
+    return {fraction(), changes};
 }
 // END SOLUTION
 
@@ -70,7 +78,7 @@ Color reflected_known_light(const Scene& scene, const PrefilteredEnvironment& li
         visible_sky.add(rule[i].weight * caps[i]->radiance(direction), !is_shadowed(scene, hit, direction));
     }
     const Color irradiance = light.sky_irradiance(hit.normal) * visible_sky() +
-                             light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, sun);
+                             light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, sun).fraction;
     return 1 / portable::pi * (hit.albedo * irradiance);
 }
 // END SOLUTION

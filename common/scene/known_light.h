@@ -8,7 +8,7 @@
 // sampling", Computer Graphics Forum 27(4), 2008.
 //
 // The sun (sun.h) is a light of its own, with the same quotient: its rays j = 0 .. m - 1 go to the texels after the
-// fractions (j + u) / m of its light, u a random number of the pixel, and w_j is cos(theta_j), 0 below the horizon.
+// fractions (j + u_j) / m of its light, u_j random numbers of the pixel, and w_j is cos(theta_j), 0 below the horizon.
 // Of a pixel's samples the sun has half of its share of the light, one at least, and the sky's rule has the others, one
 // at least: the edge of what hides the sun needs few.
 #pragma once
@@ -28,14 +28,19 @@ CosineRule quotient_rule(const QuadratureRule& rule);
 // quarter of an even share of the hemisphere and four times as much, also where a weight is negative.
 std::vector<const LightTable*> caps_of(const QuadratureRule& rule, const PrefilteredEnvironment& light);
 
-// A pixel's rays to the sun: their number, and the u in [0, 1) that shifts them.
+// A pixel's rays to the sun: their number, and the random numbers that they begin with.
 struct SunRays {
     std::size_t count = 0;
-    double u = 0;
+    Random random{0, 0};
 };
 
-// The fraction of each colour of the sun's light that passes the other object; 1 where no ray has any.
-Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, const SunRays& rays);
+// The fraction of each colour of the sun's light that passes the other object, 1 where no ray has any; and how often a
+// ray passes and the next one does not, or the other way round.
+struct VisibleSun {
+    Color fraction;
+    double changes;
+};
+VisibleSun visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, const SunRays& rays);
 
 // L_o, linear RGB, by a quotient rule that the frame carries to the surface, caps[i] of its directions, and the sun.
 Color reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit,

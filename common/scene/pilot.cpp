@@ -43,16 +43,18 @@ Pilot run_pilot(const Scene& scene, const Light& light, const RenderSettings& se
 
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const Light& light,
                           RenderSettings settings) {
+    const PrefilteredEnvironment* const averages =
+        settings.prior.known == KnownPart::light ? &light.averages() : nullptr;
     settings.show = Show::error;
     if (settings.method == Method::direct) settings.method = Method::pool;
     settings.pool = std::min<std::size_t>(settings.pool, 8);
     const auto predicted = [&](std::size_t samples) {
         settings.samples = samples;
-        PixelRules rules(settings, settings.prior.known == KnownPart::light ? &light.averages() : nullptr);
+        PixelRules rules(settings, averages);
         for (std::size_t i = rules.shared_count(); i > 0; --i) rules.make_shared_rule();
         return run_pilot(scene, light, settings, rules).rmse;
     };
-    std::size_t few = 1, samples = 2;
+    std::size_t few = 1, samples = averages && !averages->sun().empty() ? 4 : 2;
     double before = 0, rmse = predicted(samples);
     while (rmse > target) {
         if (samples >= most) throw unreachable(target, samples, rmse);

@@ -73,7 +73,7 @@ PlacedRule PixelRules::pool(Vec3 normal, double u, double turns) const {
 
 PlacedRule PixelRules::of(Vec3 normal, Random& random) const {
     PlacedRule placed = without_sun(normal, random);
-    if (sun_samples_ > 0) placed.sun = {sun_samples_, random.uniform()};
+    if (sun_samples_ > 0) placed.sun = {sun_samples_, random};
     return placed;
 }
 

@@ -111,11 +111,10 @@ PixelError pixel_error(const Scene& scene, const Light& light, KnownPart known, 
                            : error_of_light(*placed.rule, known, samples);
     const Color brdf = 1 / portable::pi * hit.albedo;
     error.amplitude = brdf * brdf * error.amplitude;
-    if (placed.sun.count > 0) {
-        const Color visible = visible_sun(scene, light.averages(), hit, placed.sun);
+    if (placed.sun.count > 1) {
         const Color sun = brdf * light.averages().sun_irradiance(hit.normal);
-        const Color hidden = Color{1, 1, 1} - visible;
-        error.sun = 1 / static_cast<double>(placed.sun.count) * (sun * sun * visible * hidden);
+        const double m = static_cast<double>(placed.sun.count);
+        error.sun = visible_sun(scene, light.averages(), hit, placed.sun).changes / (2 * m * (m - 1)) * (sun * sun);
     }
     return error;
 }

@@ -161,8 +161,7 @@ public:
 
 private:
     void add_pixel(int x, int y, const Hit& hit, Block& block) const {
-        Random random(settings_.seed, static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) +
-                                          static_cast<std::uint64_t>(x));
+        Random random = pixel_stream(settings_, x, y);
         Pixel& pixel = block.pixel[block.size];
         pixel.column = x;
         pixel.hit = hit;
@@ -183,8 +182,8 @@ private:
             pixel.rule = &shared_[static_cast<std::size_t>(u * count)];
             pixel.set_frame(Frame(hit.normal).rotated(turns));
         }
-        if (!shared_.empty() && rules_.sun_samples() > 0) rays = {rules_.sun_samples(), random.uniform()};
-        if (averages_) pixel.sun = averages_->sun_irradiance(hit.normal) * visible_sun(scene_, *averages_, hit, rays);
+        if (!shared_.empty() && rules_.sun_samples() > 0) rays = {rules_.sun_samples(), random};
+        if (averages_) pixel.sun = averages_->sun_irradiance(hit.normal) * visible_sun(scene_, *averages_, hit, rays).fraction;
         ++block.size;
     }
 

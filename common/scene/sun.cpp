@@ -1,6 +1,7 @@
 #include "scene/sun.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "scene/solid_texels.h"
 
@@ -20,23 +21,42 @@ double all_light(const SolidTexels& texels) {
     return sum;
 }
 
+// The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966): texels in this
+// order make a compact piece of the map out of any stretch of them, so that few of the rays' strata have an edge
+// across.
+std::uint64_t z_order(std::uint64_t row, std::uint64_t column) {
+    std::uint64_t order = 0;
+    for (int bit = 0; bit < 27; ++bit) order |= (row >> bit & 1) << (2 * bit + 1) | (column >> bit & 1) << 2 * bit;
+    return order;
+}
+
+struct Texel {
+    std::uint64_t order;
+    int row, column;
+};
+
 }  // namespace
 
 Sun::Sun(const EnvironmentMap& map) : map_(map), all_(all_light(SolidTexels(map, 1, 1))) {
     const SolidTexels texels(map, 1, 1);
     const double least = bright * all_ / (4 * portable::pi);
-    double sum = 0;
+    std::vector<Texel> bright_texels;
     for (int row = 0; row < texels.rows(); ++row)
-        for (int column = 0; column < texels.columns(); ++column) {
-            const Color light = texels(row, column);
-            if (brightness(light) <= least) continue;
-            sum += texels.solid_angle(row) * brightness(light);
-            light_.push_back(sum);
-            rays_.push_back(
-                {direction_of(texels.polar(row + 0.5), texels.azimuth(column)), 1 / brightness(light) * light});
-            texels_.push_back(static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width()) +
-                              static_cast<std::size_t>(column));
-        }
+        for (int column = 0; column < texels.columns(); ++column)
+            if (brightness(texels(row, column)) > least)
+                bright_texels.push_back(
+                    {z_order(static_cast<std::uint64_t>(row), static_cast<std::uint64_t>(column)), row, column});
+    std::sort(bright_texels.begin(), bright_texels.end(),
+              [](const Texel& a, const Texel& b) { return a.order < b.order; });
+    double sum = 0;
+    for (const auto& [order, row, column] : bright_texels) {
+        const Color light = texels(row, column);
+        sum += texels.solid_angle(row) * brightness(light);
+        light_.push_back(sum);
+        rays_.push_back({direction_of(texels.polar(row + 0.5), texels.azimuth(column)), 1 / brightness(light) * light});
+        texels_.push_back(static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width()) +
+                          static_cast<std::size_t>(column));
+    }
 }
 
 const Sun::Ray& Sun::ray(double u) const {

@@ -26,7 +26,7 @@ public:
         Color colour;
     };
 
-    // The texel that light meets after a fraction u in [0, 1) of all of it, texels taken row by row.
+    // The texel that light meets after a fraction u in [0, 1) of all of it, texels taken in Morton's order.
     const Ray& ray(double u) const;
 
 private:

@@ -3,7 +3,6 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
-#include "experiments/known.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
