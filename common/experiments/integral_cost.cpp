@@ -1,15 +1,20 @@
 #include "experiments/integral_cost.h"
 
-#include "experiments/root_mean_square.h"
+#include "experiments/statistics.h"
 #include "experiments/stopwatch.h"
 #include "quadrature/gaussian_process.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace {
 
-StageTimes stage_times(const Integrand& integrand, std::size_t n) {
+constexpr const char* stages[] = {"drawing directions", "building Q", "factoring Q", "computing z",
+                                  "solving for the weights"};
+constexpr std::size_t stage_count = std::size(stages);
+
+std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
     const Sobolev covariance;
     const double noise = ModelSettings().noise;
     Random random(1, n);
@@ -18,14 +23,15 @@ StageTimes stage_times(const Integrand& integrand, std::size_t n) {
     const Cholesky cholesky(q);
     const std::vector<double> z = hemisphere_integrals(covariance, directions);
     const QuadratureRule rule{directions, cholesky.solve(z)};
+    const std::function<double()> actions[] = {[&] { return uniform_directions(n, random).back().x; },
+                                               [&] { return covariance_matrix(covariance, noise, directions)(0, 0); },
+                                               [&] { return Cholesky(q).upper()(0, 0); },
+                                               [&] { return hemisphere_integrals(covariance, directions).back(); },
+                                               [&] { return cholesky.solve(z).back(); },
+                                               [&] { return apply(rule, integrand); }};
     volatile double sink = 0;  // keeps the results, so that no stage is optimised away
-    StageTimes seconds;
-    seconds.draw = median_seconds([&] { sink = uniform_directions(n, random).back().x; });
-    seconds.covariance = median_seconds([&] { sink = covariance_matrix(covariance, noise, directions)(0, 0); });
-    seconds.factor = median_seconds([&] { sink = Cholesky(q).upper()(0, 0); });
-    seconds.z = median_seconds([&] { sink = hemisphere_integrals(covariance, directions).back(); });
-    seconds.weights = median_seconds([&] { sink = cholesky.solve(z).back(); });
-    seconds.estimate = median_seconds([&] { sink = apply(rule, integrand); });
+    std::vector<double> seconds;
+    for (const auto& action : actions) seconds.push_back(median_seconds([&] { sink = action(); }));
     return seconds;
 }
 
@@ -36,16 +42,16 @@ double standard_deviation(const Integrand& integrand) {
 }
 
 std::string costly_operation(const IntegralCost& row) {
-    const StageTimes& s = row.seconds;
-    const auto [seconds, name] =
-        std::max({std::pair(s.draw, "drawing directions"), std::pair(s.covariance, "building Q"),
-                  std::pair(s.factor, "factoring Q"), std::pair(s.z, "computing z"),
-                  std::pair(s.weights, "solving for the weights")});
-    return line("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples, name,
-                100 * seconds / s.rule());
+    const auto most = std::max_element(row.seconds.begin(), row.seconds.begin() + stage_count);
+    return line("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples,
+                stages[most - row.seconds.begin()], 100 * *most / row.rule_seconds());
 }
 
 }  // namespace
+
+double IntegralCost::rule_seconds() const {
+    return std::accumulate(seconds.begin(), seconds.begin() + stage_count, 0.0);
+}
 
 double IntegralCost::equivalent_mc_samples() const {
     const double ratio = mc_error / bmc_error;
@@ -53,8 +59,8 @@ double IntegralCost::equivalent_mc_samples() const {
 }
 
 double IntegralCost::integrals_to_pay_off() const {
-    const double mc_sample = (seconds.draw + seconds.estimate) / static_cast<double>(samples);
-    return seconds.rule() / (equivalent_mc_samples() * mc_sample - seconds.estimate);
+    const double mc_sample = (seconds.front() + seconds.back()) / static_cast<double>(samples);
+    return rule_seconds() / (equivalent_mc_samples() * mc_sample - seconds.back());
 }
 
 std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed) {
@@ -69,8 +75,8 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64
             const std::vector<Vec3> directions = estimate_directions(settings, n, set).directions;
             error.add(apply(bayesian_rule(covariance, settings.noise, directions), integrand) - integrand.truth);
         }
-        rows.push_back({n, deviation / std::sqrt(static_cast<double>(n)), error.value(), error.standard_error(),
-                        timed ? stage_times(integrand, n) : StageTimes{}});
+        rows.push_back({n, deviation / std::sqrt(static_cast<double>(n)), error.value(), error.standard_error(), {}});
+        if (timed) rows.back().seconds = stage_seconds(integrand, n);
     }
     return rows;
 }
@@ -88,13 +94,8 @@ std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
     for (const IntegralCost& row : rows) {
         text += line("%9zu %12.3g %12.3g %12.2g %12.3g", row.samples, row.mc_error, row.bmc_error, row.bmc_error_error,
                      row.equivalent_mc_samples());
-        const StageTimes& s = row.seconds;
-        if (timed) {
-            for (const double seconds : {s.draw, s.covariance, s.factor, s.z, s.weights, s.estimate})
-                text += line(" %10.3g", 1e6 * seconds);
-            text += line(" %10.3g", row.integrals_to_pay_off());
-        }
-        text += '\n';
+        for (const double seconds : row.seconds) text += line(" %10.3g", 1e6 * seconds);
+        text += timed ? line(" %10.3g\n", row.integrals_to_pay_off()) : "\n";
     }
     return timed ? text + costly_operation(rows.front()) + costly_operation(rows.back()) : text;
 }

@@ -8,18 +8,15 @@
 #include <string>
 #include <vector>
 
-// Median seconds of each stage between drawing a sample set and having an estimate.
-struct StageTimes {
-    double draw, covariance, factor, z, weights, estimate;
-
-    double rule() const { return draw + covariance + factor + z + weights; }
-};
-
 struct IntegralCost {
     std::size_t samples;
     double mc_error;                    // root mean square, from the variance of the integrand
     double bmc_error, bmc_error_error;  // root mean square over fresh sets, and its standard error
-    StageTimes seconds;                 // zero unless timed
+
+    // Median of each stage: directions, Q, its factor, z, the weights; then of an estimate. Empty unless timed.
+    std::vector<double> seconds;
+
+    double rule_seconds() const;
 
     // Samples with which Monte Carlo would have the error of Bayesian Monte Carlo.
     double equivalent_mc_samples() const;

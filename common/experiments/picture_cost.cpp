@@ -1,7 +1,7 @@
 #include "experiments/picture_cost.h"
 
 #include "experiments/picture_error.h"
-#include "experiments/root_mean_square.h"
+#include "experiments/statistics.h"
 #include "experiments/stopwatch.h"
 #include "scene/pilot.h"
 
@@ -17,9 +17,7 @@ constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, c
 constexpr Prior uniform_mean{KnownPart::nothing, PriorMean::uniform}, known_cosine{KnownPart::cosine, PriorMean::zero},
     known_light{KnownPart::light, PriorMean::zero};
 
-}  // namespace
-
-RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior) {
+RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior = {}) {
     RenderSettings settings;
     settings.method = method;
     settings.pool = pool;
@@ -28,89 +26,7 @@ RenderSettings settings_of(Method method, std::size_t pool, Placement placement,
     return settings;
 }
 
-namespace {
-
-constexpr int timed_size = 64;
-constexpr int timed_runs = 4;
-
-// Seconds of one rendering on one core, the best of a few.
-double fastest_render(const Scene& scene, const Light& light, const RenderSettings& settings) {
-    double fastest = 0;
-    for (int run = 0; run < timed_runs; ++run) {
-        const double seconds = seconds_of([&] { render(scene, light, settings); });
-        fastest = run == 0 ? seconds : std::min(fastest, seconds);
-    }
-    return fastest;
-}
-
-// The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time,
-// which is that of a picture large enough for the clock, whatever the size of the others.
-double seconds_per_megapixel(const Scene& scene, const Light& light, RenderSettings settings) {
-    settings.threads = 1;
-    settings.width = settings.height = timed_size;
-    const double whole = fastest_render(scene, light, settings);
-    settings.width = settings.height = 1;
-    const double rules = fastest_render(scene, light, settings);
-    return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(scene, timed_size, timed_size);
-}
-
-bool shares_rules(const RenderSettings& settings) {
-    return settings.method != Method::direct && (settings.method != Method::mc || is_lattice(settings.placement));
-}
-
-// Where pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it; elsewhere every pixel is
-// a sample, and the seeds are for the brightness. Fewer where it would take long.
-std::uint64_t seeds_of(const RenderSettings& settings) {
-    if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
-    return shares_rules(settings) ? std::max<std::uint64_t>(16, 64 / settings.pool) : 16;
-}
-
-Image predicted_errors(const Scene& scene, const Light& light, RenderSettings settings) {
-    settings.show = Show::error;
-    return render(scene, light, settings);
-}
-
-PictureCost picture_cost(const Scene& scene, const Light& light, RenderSettings settings, const std::vector<bool>& mask,
-                         const Image& truth) {
-    RootMeanSquare rmse, brightness, predicted;
-    double correlation = 0, within = 0;
-    const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
-    const std::uint64_t predictions = predicts_error(settings) ? 4 : 0;
-    for (; settings.seed != first + seeds; ++settings.seed) {
-        const Image image = render(scene, light, settings);
-        const ImageError error = image_error(mask, image, truth);
-        rmse.add(error.rmse);
-        brightness.add(error.brightness);
-        correlation += error.correlation / static_cast<double>(seeds);
-        if (settings.seed - first >= predictions) continue;
-        const Image errors = predicted_errors(scene, light, settings);
-        predicted.add(root_mean_square(errors, object_pixels(scene, settings.width, settings.height)));
-        within += share_within_two(mask, image, truth, errors) / static_cast<double>(predictions);
-    }
-    return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
-            within,   correlation,  brightness.value(),    0};
-}
-
-// The row of classic Monte Carlo on random directions with as many samples.
-const PictureCost& classic(const std::vector<PictureCost>& rows, const PictureCost& row) {
-    return *std::find_if(rows.begin(), rows.end(), [&](const PictureCost& other) {
-        return other.settings.method == Method::mc && other.settings.placement == uniform &&
-               other.settings.prior.known == KnownPart::nothing && other.settings.samples == row.settings.samples;
-    });
-}
-
-std::string prediction_columns(const PictureCost& row) {
-    return row.predicted > 0 ? line(" %10.5f %6.3f", row.predicted, row.within) : "          -      -";
-}
-
-}  // namespace
-
-std::string name_columns(const RenderSettings& s) {
-    return line("%-8s %5zu %-16s %-7s %-7s", name_of(s.method, method_names), s.pool,
-                name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
-                name_of(s.prior.mean, prior_mean_names));
-}
-
+// The settings with these samples, the size and the seed.
 RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std::size_t samples) {
     settings.samples = samples;
     settings.seed = 1000 * (costs.seed - 1) + 1;
@@ -119,9 +35,74 @@ RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std:
     return settings;
 }
 
-Image dense_picture(const Scene& scene, const Light& light, const CostSettings& costs) {
-    return render(scene, light, sized_as(costs, settings_of(Method::mc, 1, cosine_fibonacci, known_light), 10000));
+// What pictures are compared with.
+Truth truth_for(const Light& light, const CostSettings& costs) {
+    return dense_truth(light, sized_as(costs, {}, 0), 10000);
 }
+
+// Seconds of one rendering on one core, the best of a few.
+double fastest_render(const Light& light, const RenderSettings& settings) {
+    double fastest = HUGE_VAL;
+    for (int run = 0; run < 4; ++run)
+        fastest = std::min(fastest, seconds_of([&] { render(sphere_scene(), light, settings); }));
+    return fastest;
+}
+
+// The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time,
+// which is that of a picture large enough for the clock, whatever the size of the others.
+double seconds_per_megapixel(const Light& light, RenderSettings settings) {
+    constexpr int size = 64;
+    settings.threads = 1;
+    settings.width = settings.height = size;
+    const double whole = fastest_render(light, settings);
+    settings.width = settings.height = 1;
+    const double rules = fastest_render(light, settings);
+    return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(sphere_scene(), size, size);
+}
+
+// Where pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it; elsewhere every pixel is
+// a sample, and the seeds are for the brightness. Fewer where it would take long.
+std::uint64_t seeds_of(const RenderSettings& settings) {
+    if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
+    const bool fresh =
+        settings.method == Method::mc ? !is_lattice(settings.placement) : settings.method == Method::direct;
+    return fresh ? 16 : std::max<std::uint64_t>(16, 64 / settings.pool);
+}
+
+PictureCost picture_cost(const Light& light, RenderSettings settings, const Truth& truth) {
+    RootMeanSquare rmse, brightness, predicted;
+    double correlation = 0, within = 0;
+    const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
+    const std::uint64_t predictions = predicts_error(settings) ? 4 : 0;
+    for (; settings.seed != first + seeds; ++settings.seed) {
+        const Image image = render(sphere_scene(), light, settings);
+        const ImageError error = image_error(image, truth);
+        rmse.add(error.rmse);
+        brightness.add(error.brightness);
+        correlation += error.correlation / static_cast<double>(seeds);
+        if (settings.seed - first >= predictions) continue;
+        settings.show = Show::error;
+        const Image errors = render(sphere_scene(), light, settings);
+        settings.show = Show::picture;
+        predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), settings.width, settings.height)));
+        within += share_within_two(image, truth, errors) / static_cast<double>(predictions);
+    }
+    return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
+            within,   correlation,  brightness.value(),    0};
+}
+
+// The first columns of every row.
+std::string name_columns(const RenderSettings& s) {
+    return line("%-8s %5zu %-16s %-7s %-7s", name_of(s.method, method_names), s.pool,
+                name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
+                name_of(s.prior.mean, prior_mean_names));
+}
+
+std::string prediction_columns(const PictureCost& row) {
+    return row.predicted > 0 ? line(" %10.5f %6.3f", row.predicted, row.within) : "          -      -";
+}
+
+}  // namespace
 
 std::vector<RenderSettings> main_settings() {
     return {settings_of(Method::mc, 1, uniform),
@@ -163,19 +144,16 @@ std::vector<RenderSettings> all_settings() {
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<RenderSettings>& compared,
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
-    const Scene scene = sphere_scene();
     const Light light(environment);
-    const auto sized = [&](RenderSettings settings, std::size_t n) { return sized_as(costs, settings, n); };
-    const Image truth = dense_picture(scene, light, costs);
-    const std::vector<bool> mask = object_mask(scene, costs.size, costs.size);
-    if (!(image_error(mask, truth, truth).brightness == 0))  // 0 / 0
+    const Truth truth = truth_for(light, costs);
+    if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
-    for (const RenderSettings& settings : compared)
+    for (const RenderSettings& each : compared)
         for (const std::size_t n : samples) {
-            rows.push_back(picture_cost(scene, light, sized(settings, n), mask, truth));
-            if (costs.timed)
-                rows.back().seconds_per_megapixel = seconds_per_megapixel(scene, light, sized(settings, n));
+            const RenderSettings settings = sized_as(costs, each, n);
+            rows.push_back(picture_cost(light, settings, truth));
+            if (costs.timed) rows.back().seconds_per_megapixel = seconds_per_megapixel(light, settings);
             const auto all = static_cast<double>(compared.size() * samples.size());
             if (progress) progress(static_cast<double>(rows.size()) / all);
         }
@@ -188,11 +166,13 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         "mc_samples  predicted within%s\n",
         timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
-        const PictureCost& mc = classic(rows, row);
+        const std::size_t n = row.settings.samples;
+        const PictureCost& mc = *std::find_if(rows.begin(), rows.end(),
+                                              [&](const PictureCost& first) { return first.settings.samples == n; });
         const double gain = mc.rmse * mc.rmse / (row.rmse * row.rmse);
-        text += name_columns(row.settings) + line(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", row.settings.samples,
-                                                  row.rmse, row.rmse_error, row.correlation, row.brightness,
-                                                  static_cast<double>(row.settings.samples) * gain);
+        text +=
+            name_columns(row.settings) + line(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", n, row.rmse, row.rmse_error,
+                                              row.correlation, row.brightness, static_cast<double>(n) * gain);
         text += prediction_columns(row);
         if (timed)
             text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
@@ -216,5 +196,30 @@ std::string paired_table(const std::vector<PictureCost>& rows, bool timed) {
             line(" %14.4f", rows[i + 1].correlation) + prediction_columns(rows[i]) + prediction_columns(rows[i + 1]);
         text += (timed ? line(" %12.3g", rows[i + 1].seconds_per_megapixel) : "") + '\n';
     }
+    return text;
+}
+
+std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs) {
+    constexpr std::size_t most = 512;
+    const Light light(environment);
+    const Truth truth = truth_for(light, costs);
+    std::string text = "# method  pool placement        known   mean        asked samples rmse/asked\n";
+    for (const RenderSettings& asked :
+         {settings_of(Method::pool, 20, uniform), settings_of(Method::pool, 20, cosine_fibonacci, known_cosine),
+          settings_of(Method::pool, 20, cosine_fibonacci, known_light)})
+        for (const double target : {0.02, 0.01, 0.005, 0.0025}) {
+            RenderSettings settings = sized_as(costs, asked, most);
+            text += name_columns(settings) + line(" %10g", target);
+            try {
+                settings.samples = samples_for(target, most, sphere_scene(), light, settings).samples;
+            } catch (const std::runtime_error&) {
+                text += "       -          -\n";
+                break;
+            }
+            RootMeanSquare rmse;
+            for (const std::uint64_t last = settings.seed + 4; settings.seed != last; ++settings.seed)
+                rmse.add(image_error(render(sphere_scene(), light, settings), truth).rmse);
+            text += line(" %7zu %10.2f\n", settings.samples, rmse.value() / target);
+        }
     return text;
 }

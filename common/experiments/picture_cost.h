@@ -26,17 +26,6 @@ struct PictureCost {
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
 };
 
-RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior = {});
-
-// The settings with these samples, the size and the seed.
-RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std::size_t samples);
-
-// What pictures are compared with.
-Image dense_picture(const Scene& scene, const Light& light, const CostSettings& costs);
-
-// The first columns of every row.
-std::string name_columns(const RenderSettings& settings);
-
 // The settings that are compared, numbers of samples apart: those that README tells of; and mc, direct, single, rotated
 // and pools of 1, 2, 5 and 20 on uniform and Fibonacci directions, then mc on cosine-distributed directions and pools
 // of 20 for every prior on the directions that suit it, and last with the light known.
@@ -49,8 +38,13 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress = nullptr);
 
-// A row for each picture.
+// A row for each picture; the first settings are those of classic Monte Carlo.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
 
 // A row for two pictures, which differ by their numbers of samples; the seconds are those of the second.
 std::string paired_table(const std::vector<PictureCost>& rows, bool timed);
+
+// What comes of asking for an RMSE (scene/pilot.h): the samples that are chosen, and the RMSE of the pictures of four
+// seeds over what was asked. A row for each of four RMSEs and for a pool of every known part, down to the first that
+// 512 samples do not have.
+std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs);

@@ -1,15 +1,25 @@
-// What pictures of a scene differ from the truth by.
+// What pictures of the sphere scene differ from the truth by.
 #pragma once
 
 #include "numerics/portable_math.h"
 
 #include <vector>
 
-#include "scene/image.h"
-#include "scene/scene.h"
+#include "scene/render.h"
 
-// Which pixels show an object, row by row.
-std::vector<bool> object_mask(const Scene& scene, int width, int height);
+struct Truth {
+    Image image;
+    std::vector<bool> mask;  // which pixels show an object, row by row
+
+    bool shows_object(int x, int y) const { return mask[static_cast<std::size_t>(y * image.width() + x)]; }
+};
+
+// The picture of the sphere scene that is taken for true.
+Truth truth_of(Image image);
+
+// The picture by Monte Carlo that knows the light, so that a sun does not spoil it, with so many samples; size, seed
+// and threads are those of the settings.
+Truth dense_truth(const Light& light, RenderSettings settings, std::size_t samples);
 
 // What an image differs from the truth by, over the pixels that show an object.
 struct ImageError {
@@ -17,7 +27,7 @@ struct ImageError {
     double correlation;  // of the errors of horizontally neighbouring pixels, less their mean; 0 where there are none
     double brightness;   // mean error over mean of the truth
 };
-ImageError image_error(const std::vector<bool>& mask, const Image& image, const Image& truth);
+ImageError image_error(const Image& image, const Truth& truth);
 
 // The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
-double share_within_two(const std::vector<bool>& mask, const Image& image, const Image& truth, const Image& predicted);
+double share_within_two(const Image& image, const Truth& truth, const Image& predicted);

@@ -1,6 +1,5 @@
 #include "experiments/tradeoff.h"
 
-#include "experiments/asked_rmse.h"
 #include "experiments/integral_cost.h"
 #include "scene/desert.h"
 

@@ -2,7 +2,6 @@
 
 #include "experiments/error_table.h"
 #include "experiments/input.h"
-#include "judge/correct_pictures.h"
 #include "judge/judge_picture.h"
 #include "judge/judge_table.h"
 #include "scene/desert.h"

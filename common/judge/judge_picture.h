@@ -10,6 +10,9 @@
 #include "judge/picture_numbers.h"
 #include "scene/render.h"
 
+// The method, as one would type it.
+std::string options_of(const RenderSettings& settings);
+
 struct PictureJudgement {
     Comparison comparison;  // first "background", the fraction of its pixels that differ
     BlockError block;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "experiments/command.h"
+#include "experiments/statistics.h"
 #include "judge/likely_mistakes.h"
 
 namespace {
@@ -28,24 +29,11 @@ std::size_t samples_of(const InputRow& row) {
     return static_cast<std::size_t>(n);
 }
 
-// The mean of absolute errors, and their standard deviation.
-struct AbsoluteErrors {
-    double count = 0, sum = 0, squares = 0;
-
-    void add(double error) {
-        count += 1;
-        sum += std::fabs(error);
-        squares += error * error;
-    }
-    double mean() const { return sum / count; }
-    double deviation() const { return std::sqrt(std::max(0.0, squares / count - mean() * mean())); }
-};
-
-// A cell is a mean of so many estimates, and so is what is expected of it, of others.
-Cell cell(double here, const AbsoluteErrors& errors, std::size_t estimates) {
-    if (errors.mean() < rounding) return {here, 0, least_spread};
+// A cell is a mean of so many absolute errors, and so is what is expected of it, of others.
+Cell cell(double here, const Statistics& errors, std::size_t estimates) {
+    if (errors.mean < rounding) return {here, 0, least_spread};
     const double share = 1 / static_cast<double>(estimates) + 1 / errors.count;
-    return {here, errors.mean(), std::max(least_spread, errors.deviation() / errors.mean() * std::sqrt(share))};
+    return {here, errors.mean, std::max(least_spread, errors.deviation() / errors.mean * std::sqrt(share))};
 }
 
 // What makes of correct cells what these are, or an empty text.
@@ -142,12 +130,12 @@ TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& i
         const auto n = static_cast<std::size_t>(row.numbers[0]);
         // Few where Q is large: the time grows as n^3.
         const std::size_t estimates = std::clamp<std::size_t>(100000 / n, 100, 1000);
-        AbsoluteErrors mc, bmc;
+        Statistics mc, bmc;
         for (std::size_t e = 0; e < estimates; ++e) {
             const DirectionSet set = estimate_directions(others, n, e);
             const QuadratureRule rule = bayesian_rule(*covariance, settings.noise, set.directions, settings.prior);
-            mc.add(apply(monte_carlo_rule(set), integrand) - integrand.truth);
-            bmc.add(apply(rule, integrand) - integrand.truth);
+            mc.add(std::fabs(apply(monte_carlo_rule(set), integrand) - integrand.truth));
+            bmc.add(std::fabs(apply(rule, integrand) - integrand.truth));
         }
         judgement.mc.cells.push_back(cell(row.numbers[1], mc, judgement.mc.estimates));
         judgement.bmc.cells.push_back(cell(row.numbers[2], bmc, judgement.bmc.estimates));

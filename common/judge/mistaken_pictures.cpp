@@ -1,6 +1,7 @@
 #include "judge/mistaken_pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "judge/likely_mistakes.h"
@@ -14,97 +15,75 @@ struct Mistaken {
     Image image;
 };
 
-// Every pixel is that of f(x, y).
-template <class Pixel>
-Image image_of(const Image& like, Pixel pixel) {
-    Image image(like.width(), like.height());
-    for (int y = 0; y < like.height(); ++y)
-        for (int x = 0; x < like.width(); ++x) image.set(x, y, pixel(x, y));
-    return image;
-}
-
-template <class Function>
-Color each(Color color, Function f) {
-    return {f(color.x), f(color.y), f(color.z)};
-}
-
 // Mistakes in where pixels are and in the codes that they are written with.
 std::vector<Mistaken> wrong_pictures(const Truth& truth, bool codes) {
     const Image& right = truth.image;
+    const int width = right.width(), height = right.height();
     std::vector<Mistaken> all;
-    const auto add = [&](const char* name, auto pixel) { all.push_back({name, image_of(right, pixel)}); };
+    const auto add = [&](const char* name, auto pixel) { all.push_back({name, image_of(width, height, pixel)}); };
     for (const Mirroring& mirroring : mirrorings)
         add(mirroring.name, [&](int x, int y) {
-            return right(mirroring.left_right ? right.width() - 1 - x : x,
-                         mirroring.up_down ? right.height() - 1 - y : y);
+            return right(mirroring.left_right ? width - 1 - x : x, mirroring.up_down ? height - 1 - y : y);
         });
     add("red and blue exchanged", [&](int x, int y) { return Color{right(x, y).z, right(x, y).y, right(x, y).x}; });
     add("the background is black", [&](int x, int y) { return truth.shows_object(x, y) ? right(x, y) : Color{}; });
-    add(codes ? "encoded by the sRGB curve twice" : "sRGB codes in a PFM, which holds linear values",
-        [&](int x, int y) { return each(right(x, y), srgb_encoded); });
+    all.push_back({codes ? "encoded by the sRGB curve twice" : "sRGB codes in a PFM, which holds linear values",
+                   each_channel(right, srgb_encoded)});
     if (!codes) return all;
-    add("linear values in a PPM, which holds sRGB codes",
-        [&](int x, int y) { return each(right(x, y), [](double v) { return srgb_decoded(std::min(v, 1.0)); }); });
-    add("encoded by a gamma of 2.2 in place of the sRGB curve", [&](int x, int y) {
-        return each(right(x, y), [](double v) { return srgb_decoded(portable::pow(std::min(v, 1.0), 1 / 2.2)); });
-    });
+    all.push_back({"linear values in a PPM, which holds sRGB codes",
+                   each_channel(right, [](double v) { return srgb_decoded(std::min(v, 1.0)); })});
+    all.push_back({"encoded by a gamma of 2.2 in place of the sRGB curve", each_channel(right, [](double v) {
+                       return srgb_decoded(portable::pow(std::min(v, 1.0), 1 / 2.2));
+                   })});
     return all;
 }
 
-// What a point would reflect with mistakes in the integrand.
-struct WrongShades {
-    Color cosine_twice, no_cosine, no_shadow;
-};
-
-WrongShades wrong_shades(const Hit& hit, const EnvironmentMap& environment, const std::vector<Vec3>& directions) {
-    const Scene scene = sphere_scene();
+// What a point would reflect with mistakes in the integrand: cos(theta) twice, no cos(theta), no shadows.
+std::array<Color, 3> wrong_shades(const Hit& hit, const EnvironmentMap& environment,
+                                  const std::vector<Vec3>& directions) {
     const Frame frame(hit.normal);
-    WrongShades sums;
+    const double weight = 2 / static_cast<double>(directions.size());  // 2 pi / n, times 1 / pi
+    std::array<Color, 3> shades;
     for (const Vec3& local : directions) {
         const Vec3 direction = frame.to_world(local);
-        const Color light = environment.radiance(direction);
-        sums.no_shadow = sums.no_shadow + local.y * light;
-        if (is_shadowed(scene, hit, direction)) continue;
-        sums.cosine_twice = sums.cosine_twice + local.y * local.y * light;
-        sums.no_cosine = sums.no_cosine + light;
+        const Color light = weight * (hit.albedo * environment.radiance(direction));
+        const double visible = is_shadowed(sphere_scene(), hit, direction) ? 0 : 1;
+        shades[0] += visible * local.y * local.y * light;
+        shades[1] += visible * light;
+        shades[2] += local.y * light;
     }
-    const double weight = 2 / static_cast<double>(directions.size());  // 2 pi / n, times 1 / pi
-    for (Color* sum : {&sums.cosine_twice, &sums.no_cosine, &sums.no_shadow}) *sum = weight * (hit.albedo * *sum);
-    return sums;
+    return shades;
 }
 
 std::vector<Mistaken> wrong_integrands(const Image& right, const EnvironmentMap& environment) {
     const Camera camera{right.width(), right.height()};
     const std::vector<Vec3> directions = fibonacci_directions(300);
-    Image twice = right, none = right, lit = right, white = right;
+    std::vector<Mistaken> all{{"cos(theta) twice", right},
+                              {"cos(theta) is missing", right},
+                              {"no shadows", right},
+                              {"the albedo is missing", right}};
     for (int y = 0; y < right.height(); ++y)
         for (int x = 0; x < right.width(); ++x) {
             const auto hit = intersect(sphere_scene(), camera.ray(x, y));
             if (!hit) continue;
-            const WrongShades shades = wrong_shades(*hit, environment, directions);
-            const Color color = right(x, y);
-            twice.set(x, y, shades.cosine_twice);
-            none.set(x, y, shades.no_cosine);
-            lit.set(x, y, shades.no_shadow);
-            white.set(x, y, {color.x / hit->albedo.x, color.y / hit->albedo.y, color.z / hit->albedo.z});
+            const std::array<Color, 3> shades = wrong_shades(*hit, environment, directions);
+            for (std::size_t i = 0; i < 3; ++i) all[i].image.set(x, y, shades[i]);
+            const Color color = right(x, y), albedo = hit->albedo;
+            all[3].image.set(x, y, {color.x / albedo.x, color.y / albedo.y, color.z / albedo.z});
         }
-    return {{"cos(theta) twice", twice},
-            {"cos(theta) is missing", none},
-            {"no shadows", lit},
-            {"the albedo is missing", white}};
+    return all;
 }
 
 // The truth first, then with mistakes in a factor.
 std::vector<Mistaken> wrong_factors(const Truth& truth, std::size_t samples) {
     const double n = static_cast<double>(samples);
-    std::vector<Factor> known = {{"", 1}};
-    known.insert(known.end(), std::begin(factors), std::end(factors));
-    known.push_back({"not divided by N, or w = z", n});
-    known.push_back({"divided by N twice", 1 / n});
-    known.push_back({"the objects are black", 0});
+    std::vector<Factor> known(std::begin(factors), std::end(factors));
+    known.insert(known.begin(), {"", 1});
+    known.insert(known.end(),
+                 {{"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}, {"the objects are black", 0}});
     std::vector<Mistaken> all;
     for (const Factor& each : known)
-        all.push_back({each.name, image_of(truth.image, [&](int x, int y) {
+        all.push_back({each.name, image_of(truth.image.width(), truth.image.height(), [&](int x, int y) {
                            return (truth.shows_object(x, y) ? each.factor : 1) * truth.image(x, y);
                        })});
     return all;

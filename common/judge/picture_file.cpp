@@ -1,14 +1,12 @@
 #include "judge/picture_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <istream>
 #include <stdexcept>
 #include <streambuf>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -32,18 +30,16 @@ public:
         if (magic != "P3" && magic != "P6" && magic != "PF")
             fail("not a picture that is known here: it should begin with P6 or P3 (PPM) or with PF (PFM in colour)");
         is_text_ = magic == "P3";
-        width_ = whole_number("width", max_side);
+        is_ppm_ = magic != "PF";
+        const int width = whole_number("width", max_side);
         height_ = whole_number("height", max_side);
-        const bool is_ppm = magic != "PF";
-        const int maxval = is_ppm ? whole_number("largest code", 65535) : 0;
-        if (!is_ppm) read_byte_order();
-        const auto values = static_cast<std::size_t>(width_) * 3;
+        const int maxval = is_ppm_ ? whole_number("largest code", 65535) : 0;
+        if (!is_ppm_) read_byte_order();
         if (!is_text_) require_one_space();
-        for (rows_ = 0; rows_ < height_; ++rows_) is_ppm ? read_codes(values, maxval) : read_floats(values);
-        const int largest = narrow_to_bytes(maxval);
-        const std::vector<float> decoded = decoded_codes(largest);
-        for (const int code : codes_) rgb_.push_back(decoded[static_cast<std::size_t>(code)]);
-        return {image(!is_ppm), largest};
+        for (rows_ = 0; rows_ < height_; ++rows_)
+            for (int i = 0; i < 3 * width; ++i) values_.push_back(is_ppm_ ? code(maxval) : real());
+        const int largest = is_ppm_ ? decode(maxval) : 0;
+        return {image_of(width, height_, [&](int x, int y) { return color(3 * (from_top(y) * width + x)); }), largest};
     }
 
 private:
@@ -51,11 +47,16 @@ private:
     static constexpr int end_of_file = std::char_traits<char>::eof();
 
     [[noreturn]] void fail(const std::string& problem) const {
-        throw std::runtime_error(rows_ < 0 ? problem : "row " + std::to_string(row()) + ": " + problem);
+        throw std::runtime_error(rows_ < 0 ? problem : "row " + std::to_string(from_top(rows_)) + ": " + problem);
     }
 
-    // From the top; a PFM begins at the bottom.
-    int row() const { return first_byte_ < 0 ? rows_ : height_ - 1 - rows_; }
+    // The row as the file counts them: a PFM begins at the bottom.
+    int from_top(int row) const { return is_ppm_ ? row : height_ - 1 - row; }
+
+    Color color(int i) const {
+        const float* rgb = values_.data() + i;
+        return {rgb[0], rgb[1], rgb[2]};
+    }
 
     static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -89,7 +90,7 @@ private:
         char* end = nullptr;
         const double scale = std::strtod(text.c_str(), &end);
         if (*end != '\0' || !(scale < 0 || scale > 0)) fail("the scale '" + text + "' is not a number other than 0");
-        first_byte_ = scale < 0 ? 0 : 3;
+        little_endian_ = scale < 0;
     }
 
     void require_one_space() {
@@ -105,65 +106,50 @@ private:
         return static_cast<unsigned>(c);
     }
 
-    void read_codes(std::size_t values, int maxval) {
-        for (std::size_t i = 0; i < values; ++i) {
-            int code;
-            if (is_text_) {
-                code = whole_number("code", maxval, 0);
-            } else {
-                code = static_cast<int>(byte());
-                if (maxval > 255) code = 256 * code + static_cast<int>(byte());
-                if (code > maxval)
-                    fail("code " + std::to_string(code) + " exceeds the largest, " + std::to_string(maxval));
-            }
-            codes_.push_back(static_cast<std::uint16_t>(code));
-        }
+    float code(int maxval) {
+        if (is_text_) return static_cast<float>(whole_number("code", maxval, 0));
+        const unsigned high = maxval > 255 ? 256 * byte() : 0, code = high + byte();
+        if (code > static_cast<unsigned>(maxval))
+            fail("code " + std::to_string(code) + " exceeds the largest, " + std::to_string(maxval));
+        return static_cast<float>(code);
     }
 
-    // Codes to 255 that were widened, by a factor and rounded in whatever way or by a shift, become codes to 255 again.
-    // Returns the largest code.
+    float real() {
+        std::uint32_t bits = 0;
+        for (int k = 0; k < 4; ++k) bits |= byte() << 8 * (little_endian_ ? k : 3 - k);
+        float value;
+        std::memcpy(&value, &bits, sizeof value);
+        if (!std::isfinite(value)) fail("a value is infinite or no number");
+        return value;
+    }
+
+    // Codes become linear values. Returns the largest code.
+    int decode(int maxval) {
+        maxval = narrow_to_bytes(maxval);
+        const std::vector<float> decoded = decoded_codes(maxval);
+        for (float& value : values_) value = decoded[static_cast<std::size_t>(value)];
+        return maxval;
+    }
+
+    // Codes to 255 that were widened, by a factor and rounded in whatever way or by a shift of 8 bits, which leaves 255
+    // at 65280, become codes to 255 again. Returns the largest code.
     int narrow_to_bytes(int maxval) {
-        const auto byte_of = [&](int code) { return (255 * code + maxval / 2) / maxval; };
-        const auto is_scaled = [&](int code) { return std::fabs(code - byte_of(code) * maxval / 255.0) < 1; };
-        const auto is_shifted = [](int code) { return code % 256 == 0; };
         if (maxval <= 255) return maxval;
-        if (std::all_of(codes_.begin(), codes_.end(), is_scaled)) {
-            for (std::uint16_t& code : codes_) code = static_cast<std::uint16_t>(byte_of(code));
-        } else if (maxval == 65535 && std::all_of(codes_.begin(), codes_.end(), is_shifted)) {
-            for (std::uint16_t& code : codes_) code >>= 8;
-        } else {
-            return maxval;
+        for (const int white : {maxval, maxval == 65535 ? 65280 : maxval}) {
+            const auto byte_of = [&](float code) { return (255 * static_cast<int>(code) + white / 2) / white; };
+            const auto is_scaled = [&](float code) { return std::fabs(code - byte_of(code) * white / 255.0) < 1; };
+            if (!std::all_of(values_.begin(), values_.end(), is_scaled)) continue;
+            for (float& code : values_) code = static_cast<float>(byte_of(code));
+            return 255;
         }
-        return 255;
-    }
-
-    void read_floats(std::size_t values) {
-        for (std::size_t i = 0; i < values; ++i) {
-            std::uint32_t bits = 0;
-            for (int k = 0; k < 4; ++k) bits |= byte() << 8 * (first_byte_ == 0 ? k : 3 - k);
-            float value;
-            std::memcpy(&value, &bits, sizeof value);
-            if (!std::isfinite(value)) fail("a value is infinite or no number");
-            rgb_.push_back(value);
-        }
-    }
-
-    Image image(bool bottom_first) const {
-        Image result(width_, height_);
-        const float* rgb = rgb_.data();
-        for (int i = 0; i < height_; ++i)
-            for (int x = 0; x < width_; ++x, rgb += 3)
-                result.set(x, bottom_first ? height_ - 1 - i : i, {rgb[0], rgb[1], rgb[2]});
-        return result;
+        return maxval;
     }
 
     std::streambuf& bytes_;
-    bool is_text_ = false;
-    int width_ = 0, height_ = 0;
-    int rows_ = -1;        // that are read; -1: the header is
-    int first_byte_ = -1;  // of a float, where 0 is the lowest; -1: no floats
-    std::vector<std::uint16_t> codes_;
-    std::vector<float> rgb_;
+    bool is_text_ = false, is_ppm_ = true, little_endian_ = false;
+    int height_ = 0;
+    int rows_ = -1;              // that are read; -1: the header is
+    std::vector<float> values_;  // of all channels, codes of a PPM
 };
 
 }  // namespace
@@ -176,20 +162,9 @@ double srgb_encoded(double linear) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * portable::pow(v, 1 / 2.4) - 0.055;
 }
 
-// The code of a value is how many thresholds it reaches, as in to_ppm.
-Image stored(Image image, int maxval) {
+Image stored(const Image& image, int maxval) {
     if (maxval == 0) return image;
     const std::vector<float> decoded = decoded_codes(maxval);
-    std::vector<double> thresholds;
-    for (int code = 1; code <= maxval; ++code) thresholds.push_back(srgb_decoded((code - 0.5) / maxval));
-    const auto keep = [&](double linear) {
-        const auto code = std::upper_bound(thresholds.begin(), thresholds.end(), linear) - thresholds.begin();
-        return static_cast<double>(decoded[static_cast<std::size_t>(code)]);
-    };
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const Color color = image(x, y);
-            image.set(x, y, {keep(color.x), keep(color.y), keep(color.z)});
-        }
-    return image;
+    return each_channel(
+        image, [&](double linear) { return decoded[static_cast<std::size_t>(maxval * srgb_encoded(linear) + 0.5)]; });
 }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "experiments/picture_error.h"
+#include "experiments/statistics.h"
 #include "numerics/cholesky.h"
 
 namespace {
@@ -40,77 +41,52 @@ constexpr Scale scales[] = {
     {"block", log_of_positive, portable::exp, 0.2}, {"repeats", itself, itself, 0.01}};
 const Scale& scale_of(std::size_t i) { return scales[std::min(i, named_numbers)]; }
 
+// The numbers on their scales.
+Numbers scaled(Numbers numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = scale_of(i).to(numbers[i]);
+    return numbers;
+}
+
+// Number i of all: its mean, and the standard deviation of a picture's.
 struct Spread {
-    double mean = 0, deviation = 0;
-
-    Spread(const std::vector<Numbers>& all, std::size_t i, double (*scaled)(double)) {
-        const double n = static_cast<double>(all.size());
-        for (const Numbers& numbers : all) mean += scaled(numbers[i]) / n;
-        for (const Numbers& numbers : all) {
-            const double difference = scaled(numbers[i]) - mean;
-            deviation += difference * difference / (n - 1);
-        }
-        deviation = std::sqrt(deviation);
-    }
+    double mean, deviation;
 };
+Spread spread_of(const std::vector<Numbers>& all, std::size_t i) {
+    Statistics statistics;
+    for (const Numbers& numbers : all) statistics.add(numbers[i]);
+    return {statistics.mean, statistics.standard_error() * std::sqrt(statistics.count)};
+}
 
-// Number i on its scale; the deviation is that of a new number from the mean of these.
+// Of numbers on their scales, with the deviation of a new number from the mean of these.
 Spread scaled_spread(const std::vector<Numbers>& all, std::size_t i) {
-    const Scale& scale = scale_of(i);
-    Spread spread(all, i, scale.to);
-    spread.deviation = std::max(scale.floor, spread.deviation * std::sqrt(1 + 1 / static_cast<double>(all.size())));
-    return spread;
-}
-
-Quantity quantity(const Numbers& here, const std::vector<Numbers>& correct, std::size_t i, double deviations) {
-    const Scale& scale = scale_of(i);
-    const Spread plain(correct, i, itself), scaled = scaled_spread(correct, i);
-    const double reach = deviations * scaled.deviation;
-    return {scale.name,
-            here[i],
-            plain.mean,
-            plain.deviation,
-            scale.from(scaled.mean - reach),
-            scale.from(scaled.mean + reach)};
-}
-
-// The number after the named ones that is most deviations away from the mean.
-std::size_t strangest(const Numbers& here, const std::vector<Numbers>& correct) {
-    std::size_t found = named_numbers;
-    double most = 0;
-    for (std::size_t i = named_numbers; i < here.size(); ++i) {
-        const Spread spread = scaled_spread(correct, i);
-        const double deviation = std::fabs(scale_of(i).to(here[i]) - spread.mean) / spread.deviation;
-        if (deviation > most) found = i;
-        most = std::max(most, deviation);
-    }
-    return found;
+    const Spread spread = spread_of(all, i);
+    const double deviation = spread.deviation * std::sqrt(1 + 1 / static_cast<double>(all.size()));
+    return {spread.mean, std::max(scale_of(i).floor, deviation)};
 }
 
 // One picture in 50,000 exceeds it, were the numbers normal: of n = 40 others and k = 5 numbers, (n - k) / (k (n - 1))
 // of the square is distributed as F with k and n - k degrees of freedom (Hotelling, 1931).
 constexpr double accepted_joint_deviation = 7;
 
-// How far the named numbers are from the mean of others, in standard deviations along the ellipsoid that these scatter
-// in (Mahalanobis, 1936): an unlucky rule errs more and more alike, so more with less alike tells a mistake.
+// How far the named numbers, on their scales, are from the mean of others, in standard deviations along the ellipsoid
+// that these scatter in (Mahalanobis, 1936): an unlucky rule errs more and more alike, so more with less alike tells a
+// mistake.
 double joint_deviation(const Numbers& here, const std::vector<Numbers>& others) {
     const double n = static_cast<double>(others.size());
     std::vector<double> mean, difference;
     for (std::size_t i = 0; i < named_numbers; ++i) {
-        mean.push_back(Spread(others, i, scale_of(i).to).mean);
-        difference.push_back(scale_of(i).to(here[i]) - mean[i]);
+        mean.push_back(spread_of(others, i).mean);
+        difference.push_back(here[i] - mean[i]);
     }
     Matrix covariance(named_numbers, named_numbers);
-    for (std::size_t i = 0; i < named_numbers; ++i)
-        for (std::size_t j = i; j < named_numbers; ++j) {
+    for (std::size_t i = 0; i < named_numbers; ++i) {
+        for (std::size_t j = i; j < named_numbers; ++j)
             for (const Numbers& other : others)
-                covariance(i, j) += (scale_of(i).to(other[i]) - mean[i]) * (scale_of(j).to(other[j]) - mean[j]);
-            covariance(i, j) *= (1 + 1 / n) / (n - 1);
-            if (i == j) covariance(i, i) += scale_of(i).floor * scale_of(i).floor;
-        }
-    double sum = 0;
-    for (const double whitened : Cholesky(covariance).solve_lower(difference)) sum += whitened * whitened;
-    return std::sqrt(sum);
+                covariance(i, j) += (1 + 1 / n) / (n - 1) * (other[i] - mean[i]) * (other[j] - mean[j]);
+        covariance(i, i) += scale_of(i).floor * scale_of(i).floor;
+    }
+    const std::vector<double> whitened = Cholesky(covariance).solve_lower(difference);
+    return std::sqrt(std::inner_product(whitened.begin(), whitened.end(), whitened.begin(), 0.0));
 }
 
 // The errors of a picture as one number a pixel, 0 where it shows no object. A brightness error, which all pixels
@@ -192,7 +168,7 @@ BlockError largest_block_error(const Image& picture, const Truth& truth) {
 }
 
 Numbers numbers_of(const Image& picture, const Truth& truth) {
-    const ImageError error = image_error(truth.mask, picture, truth.image);
+    const ImageError error = image_error(picture, truth);
     Numbers numbers{error.rmse, error.brightness, error.correlation, alike_neighbours(picture, truth, error.rmse),
                     largest_block_error(picture, truth).error};
     const std::vector<double> errors = errors_of(picture, truth, error.brightness);
@@ -212,10 +188,27 @@ bool Comparison::fits() const {
 }
 
 Comparison compared(const Numbers& here, const std::vector<Numbers>& correct, Accepted accepted) {
-    Comparison comparison{{}, strangest(here, correct)};
-    for (std::size_t i = 0; i < named_numbers; ++i)
-        comparison.quantities.push_back(quantity(here, correct, i, accepted.deviations));
-    comparison.quantities.push_back(quantity(here, correct, comparison.strangest, accepted.of_lag));
-    comparison.quantities.push_back({"together", joint_deviation(here, correct), 0, 0, 0, accepted_joint_deviation});
+    const Numbers scaled_here = scaled(here);
+    std::vector<Numbers> scaled_correct;
+    for (const Numbers& numbers : correct) scaled_correct.push_back(scaled(numbers));
+    Comparison comparison{{}, named_numbers};
+    const auto add = [&](std::size_t i, double deviations) {
+        const Spread plain = spread_of(correct, i), spread = scaled_spread(scaled_correct, i);
+        const double reach = deviations * spread.deviation;
+        const auto from = scale_of(i).from;
+        comparison.quantities.push_back({scale_of(i).name, here[i], plain.mean, plain.deviation,
+                                         from(spread.mean - reach), from(spread.mean + reach)});
+    };
+    for (std::size_t i = 0; i < named_numbers; ++i) add(i, accepted.deviations);
+    double most = 0;
+    for (std::size_t i = named_numbers; i < here.size(); ++i) {
+        const Spread spread = scaled_spread(scaled_correct, i);
+        const double deviation = std::fabs(scaled_here[i] - spread.mean) / spread.deviation;
+        if (deviation > most) comparison.strangest = i;
+        most = std::max(most, deviation);
+    }
+    add(comparison.strangest, accepted.of_lag);
+    const double together = joint_deviation(scaled_here, scaled_correct);
+    comparison.quantities.push_back({"together", together, 0, 0, 0, accepted_joint_deviation});
     return comparison;
 }

@@ -10,15 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/image.h"
-
-// The truth at one size.
-struct Truth {
-    Image image;
-    std::vector<bool> mask;  // which pixels show an object
-
-    bool shows_object(int x, int y) const { return mask[static_cast<std::size_t>(y * image.width() + x)]; }
-};
+#include "experiments/picture_error.h"
 
 // RMSE, brightness and correlation as image_error has them; "alike", the fraction of neighbours whose errors differ by
 // less than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels; then
@@ -30,6 +22,8 @@ constexpr std::size_t named_numbers = 5;
 struct Lag {
     int x, y;
 };
+Lag lag_of(std::size_t number);
+
 // The block of pixels whose mean differs most from the truth's, of those from the left and the top of which at least
 // half shows an object: the root mean square over the channels, and the block's centre.
 struct BlockError {
@@ -37,8 +31,6 @@ struct BlockError {
     int x, y;
 };
 BlockError largest_block_error(const Image& picture, const Truth& truth);
-
-Lag lag_of(std::size_t number);
 
 // Of a picture of the truth's size.
 Numbers numbers_of(const Image& picture, const Truth& truth);

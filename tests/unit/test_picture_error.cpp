@@ -5,7 +5,6 @@
 #include <cmath>
 
 TEST_CASE("the error of an image: root mean square, neighbours' correlation and brightness") {
-    const std::vector<bool> mask = object_mask(sphere_scene(), 40, 40);
     Image truth(40, 40), brighter(40, 40), striped(40, 40);
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x) {
@@ -13,16 +12,17 @@ TEST_CASE("the error of an image: root mean square, neighbours' correlation and 
             brighter.set(x, y, {0.625, 0.625, 0.625});
             striped.set(x, y, x % 2 ? Color{0.75, 0.75, 0.75} : Color{0.25, 0.25, 0.25});
         }
-    const ImageError same = image_error(mask, truth, truth);
+    const Truth grey = truth_of(truth);
+    const ImageError same = image_error(truth, grey);
     CHECK(same.rmse == 0);
     CHECK(same.correlation == 0);
     CHECK(same.brightness == 0);
     // These differences are exact in binary.
-    const ImageError constant = image_error(mask, brighter, truth);
+    const ImageError constant = image_error(brighter, grey);
     CHECK(constant.rmse == 0.125);
     CHECK(constant.correlation == 0);  // nothing is left when the mean is taken off
     CHECK(constant.brightness == 0.25);
-    const ImageError alternating = image_error(mask, striped, truth);
+    const ImageError alternating = image_error(striped, grey);
     CHECK(alternating.rmse == 0.25);
     CHECK(alternating.correlation == -1);
 }
@@ -36,5 +36,5 @@ TEST_CASE("errors of at most two predicted ones lie within, colour by colour") {
     image.set(0, 0, {1, -2, 3});
     image.set(1, 0, {9, 9, 9});
     predicted.set(0, 0, {1, 1, 1});
-    CHECK(share_within_two({true, false}, image, Image(2, 1), predicted) == 2.0 / 3);
+    CHECK(share_within_two(image, {Image(2, 1), {true, false}}, predicted) == 2.0 / 3);
 }

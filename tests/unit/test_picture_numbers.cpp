@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "experiments/picture_error.h"
-
 namespace {
 
 constexpr int side = 40;
@@ -14,7 +12,7 @@ Truth grey() {
     Image image(side, side);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) image.set(x, y, {0.5, 0.5, 0.5});
-    return {image, object_mask(sphere_scene(), side, side)};
+    return truth_of(image);
 }
 
 // The truth and an error of f(x, y) in every channel.

@@ -48,15 +48,14 @@ Image dense_quadrature(const Light& light, RenderSettings settings) {
 TEST_CASE("a picture predicts its RMSE to 30 %, and 19 of 20 errors lie within two predicted ones") {
     const EnvironmentMap desert = built_in_environment();
     const Light light(desert);
-    const Image truth = dense_quadrature(light, small(KnownPart::nothing, 1));
-    const std::vector<bool> mask = object_mask(scene, 60, 60);
+    const Truth truth = truth_of(dense_quadrature(light, small(KnownPart::nothing, 1)));
     for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine, KnownPart::light})
         for (const std::size_t samples : {10u, 40u}) {
             const RenderSettings settings = small(known, samples);
             const Image picture = render(scene, light, settings), errors = errors_of(light, settings);
             const double predicted = root_mean_square(errors, object_pixels(scene, 60, 60));
-            const double ratio = predicted / image_error(mask, picture, truth).rmse;
-            const double within = share_within_two(mask, picture, truth, errors);
+            const double ratio = predicted / image_error(picture, truth).rmse;
+            const double within = share_within_two(picture, truth, errors);
             CAPTURE(samples);
             CAPTURE(ratio);
             CAPTURE(within);
@@ -102,9 +101,9 @@ TEST_CASE("errors are 0 where no object is, and the same for every number of thr
     const Light light(desert);
     RenderSettings settings = small(KnownPart::cosine, 10, 40);
     const Image errors = errors_of(light, settings);
-    const std::vector<bool> mask = object_mask(scene, 40, 40);
+    const Truth truth = truth_of(errors);
     for (int y = 0; y < 40; ++y)
-        for (int x = 0; x < 40; ++x) CHECK((errors(x, y).x > 0) == mask[static_cast<std::size_t>(40 * y + x)]);
+        for (int x = 0; x < 40; ++x) CHECK((errors(x, y).x > 0) == truth.shows_object(x, y));
     settings.threads = 7;
     CHECK(to_pfm(errors_of(light, settings)) == to_pfm(errors));
 }

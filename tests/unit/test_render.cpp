@@ -87,9 +87,7 @@ Image plain_picture(const EnvironmentMap& environment, const RenderSettings& set
     return image;
 }
 
-ImageError error_of(const Image& image, const Image& truth) {
-    return image_error(object_mask(sphere_scene(), truth.width(), truth.height()), image, truth);
-}
+ImageError error_of(const Image& image, const Image& truth) { return image_error(image, truth_of(truth)); }
 
 // The pixels that are not what an object without shadows reflects of a light that is known.
 int count_inexact(const Scene& scene, const Image& image, const PrefilteredEnvironment& light) {
