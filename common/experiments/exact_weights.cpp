@@ -11,76 +11,60 @@ const DoubleDouble pi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 // k and z of a covariance; the formulas are those of common/quadrature/covariance.cpp.
 class ExactCovariance {
 public:
-    explicit ExactCovariance(const Model& model);
+    explicit ExactCovariance(const Model& model)
+        : sobolev_(model.family == CovarianceFamily::sobolev), parameter_(model.parameter) {
+        const DoubleDouble s = parameter_;
+        constant_ = sobolev_ ? pow(2, s + s - 1) / s : DoubleDouble(1) / (s * s);
+    }
 
-    DoubleDouble covariance(DoubleDouble squared_chord) const;
-    DoubleDouble hemisphere_integral(double cosine) const;
+    DoubleDouble covariance(DoubleDouble squared_chord) const {
+        return sobolev_ ? constant_ - power(squared_chord) : exp(-constant_ * squared_chord * 0.5);
+    }
+    DoubleDouble hemisphere_integral(double cosine) const {
+        return pi * 2 * (sobolev_ ? sobolev_integral(cosine) : squared_exponential_integral(cosine));
+    }
 
 private:
-    DoubleDouble power(DoubleDouble x) const { return p_ == 0.5 ? sqrt(x) : pow(x, p_); }
-    DoubleDouble rim_integral(DoubleDouble sine, DoubleDouble q) const;
-    DoubleDouble odd_part(double cosine) const;
+    // x^(s - 1).
+    DoubleDouble power(DoubleDouble x) const { return parameter_ == 1.5 ? sqrt(x) : pow(x, parameter_ - 1); }
+    DoubleDouble sobolev_integral(DoubleDouble cosine) const;
+    DoubleDouble squared_exponential_integral(DoubleDouble cosine) const;
 
     bool sobolev_;
-    double p_ = 0;                 // smoothness less 1
-    DoubleDouble c_;               // C
-    std::vector<DoubleDouble> y_;  // nodes of the rim integral
-    DoubleDouble kappa_;           // 1 / length-scale^2
+    double parameter_;
+    DoubleDouble constant_;  // C, or kappa = 1 / length-scale^2
 };
 
-// The error of the trapezoidal rule is e^(-pi^2 / step) = e^-63. The nodes reach to where the integrand is e^-60 of its
-// largest value for every q >= 1e-9.
-constexpr double rim_step = 0.15625, reach = 60;
-
-ExactCovariance::ExactCovariance(const Model& model)
-    : sobolev_(model.family == CovarianceFamily::sobolev), p_(model.parameter - 1) {
-    const DoubleDouble s = model.parameter;
-    if (!sobolev_) {
-        kappa_ = DoubleDouble(1) / (s * s);
-        return;
-    }
-    c_ = pow(2, s + s - 1) / s;
-    for (double u = -reach; u <= reach + 21; u += rim_step) y_.push_back(exp(DoubleDouble(u)));
-}
-
-DoubleDouble ExactCovariance::covariance(DoubleDouble squared_chord) const {
-    return sobolev_ ? c_ - power(squared_chord) : exp(-kappa_ * squared_chord * 0.5);
-}
-
-DoubleDouble ExactCovariance::rim_integral(DoubleDouble sine, DoubleDouble q) const {
-    DoubleDouble sum = 0;
-    for (const DoubleDouble& y : y_) {
+// The error of the trapezoidal rule is e^(-pi^2 / step) = e^-63. The nodes e^u reach to where the integrand is e^-60 of
+// its largest value for every q >= 1e-9.
+DoubleDouble ExactCovariance::sobolev_integral(DoubleDouble cosine) const {
+    if (cosine.high == 0) return constant_ * 0.5;  // half of the sphere
+    constexpr double step = 0.15625, first = -60, last = 81;
+    const DoubleDouble sine = sqrt((DoubleDouble(1) - cosine) * (cosine + 1)), q = cosine / (sine + 1);
+    const DoubleDouble ratio = exp(DoubleDouble(step));
+    DoubleDouble sum = 0, y = exp(DoubleDouble(first));
+    for (double u = first; u <= last; u += step, y = y * ratio) {
         const DoubleDouble yy = y * y, t = q * y;
         sum = sum + power((sine + 1) * (q * q + yy) / (yy + 1)) * t / (t * t + 1);
     }
-    return sum * (2 * rim_step);
+    return constant_ - pow(2, DoubleDouble(parameter_)) / (pi * parameter_) * (sum * step);
 }
 
-// The part of z that changes sign with the cosine, for the squared exponential.
-DoubleDouble ExactCovariance::odd_part(double cosine) const {
-    const DoubleDouble squared_sine = DoubleDouble(1) - DoubleDouble(cosine) * cosine;
-    DoubleDouble t = kappa_ * 0.5 * exp(-kappa_), b = cosine, edge = cosine, sum = t * b;
-    for (int m = 1; m < kappa_.high || (t * b).high > 1e-34 * sum.high; ++m) {
-        t = t * kappa_ * kappa_ / (4.0 * m * (m + 1));
+// The part that all directions share, (1 - e^(-2 kappa)) / 2 kappa by the series of sinh, and that which changes sign
+// with the cosine: positive terms, no cancellation.
+DoubleDouble ExactCovariance::squared_exponential_integral(DoubleDouble cosine) const {
+    const DoubleDouble kappa = constant_, squared_sine = DoubleDouble(1) - cosine * cosine;
+    DoubleDouble term = exp(-kappa), even = term;
+    for (int m = 1; m < kappa.high || term.high > 1e-34 * even.high; ++m)
+        even = even + (term = term * kappa * kappa / (2.0 * m * (2 * m + 1)));
+    DoubleDouble t = kappa * 0.5 * exp(-kappa), b = cosine, edge = cosine, odd = t * b;
+    for (int m = 1; m < kappa.high || (t * b).high > 1e-34 * odd.high; ++m) {
+        t = t * kappa * kappa / (4.0 * m * (m + 1));
         edge = edge * squared_sine;
         b = (edge + b * (2.0 * m)) / (2.0 * m + 1);
-        sum = sum + t * b;
+        odd = odd + t * b;
     }
-    return pi * 2 * sum;
-}
-
-DoubleDouble ExactCovariance::hemisphere_integral(double cosine) const {
-    if (!sobolev_) {
-        // (1 - e^(-2 kappa)) / kappa by the series of sinh: positive terms, no cancellation.
-        DoubleDouble term = exp(-kappa_), sum = term;
-        for (int m = 1; m < kappa_.high || term.high > 1e-34 * sum.high; ++m)
-            sum = sum + (term = term * kappa_ * kappa_ / (2.0 * m * (2 * m + 1)));
-        return pi * 2 * sum + odd_part(cosine);
-    }
-    const DoubleDouble whole = pi * 2 * c_, factor = pow(2, DoubleDouble(p_) + 1) / (DoubleDouble(p_) + 1);
-    if (cosine == 0) return whole * 0.5;  // half of the sphere
-    const DoubleDouble c = cosine, sine = sqrt((DoubleDouble(1) - c) * (c + 1));
-    return whole - factor * rim_integral(sine, c / (sine + 1));
+    return even + odd;
 }
 
 DoubleDouble squared_chord(const Vec3& a, const Vec3& b) {
@@ -88,13 +72,13 @@ DoubleDouble squared_chord(const Vec3& a, const Vec3& b) {
     return x * x + y * y + z * z;
 }
 
+}  // namespace
+
 double largest(const std::vector<double>& x) {
     double size = 0;
     for (const double element : x) size = std::max(size, std::fabs(element));
     return size;
 }
-
-}  // namespace
 
 ExactWeights::ExactWeights(const Model& model, const std::vector<Vec3>& directions) {
     const ExactCovariance exact(model);
@@ -122,9 +106,7 @@ std::vector<double> ExactWeights::residual(const std::vector<double>& weights, d
 
 std::optional<std::vector<double>> ExactWeights::weights(double noise, const Cholesky& cholesky) const {
     std::vector<double> x(z_.size());
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = z_[i].high;
-    x = cholesky.solve(x);
-    for (double last = largest(x);;) {
+    for (double last = HUGE_VAL;;) {
         const std::vector<double> correction = cholesky.solve(residual(x, noise));
         const double size = largest(correction);
         if (!(size < last / 2)) return std::nullopt;

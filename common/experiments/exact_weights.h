@@ -10,6 +10,9 @@
 #include <optional>
 #include <vector>
 
+// The largest absolute value.
+double largest(const std::vector<double>& x);
+
 class ExactWeights {
 public:
     // n directions in the upper hemisphere. Holds 8 n^2 bytes.

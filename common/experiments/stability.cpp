@@ -4,7 +4,6 @@
 #include "quadrature/gaussian_process.h"
 
 #include <algorithm>
-#include <array>
 #include <cfloat>
 #include <cmath>
 
@@ -12,38 +11,25 @@ using portable::pi;
 
 namespace {
 
-// c += factor * a^T b, n x n each, in strips of columns; two rows of sums at a time, which stay in registers.
-// Of a triangular a only the upper triangle is read.
-void add_transposed_product(double factor, const Matrix& a, bool triangular, const Matrix& b, Matrix& c) {
-    constexpr std::size_t strip_width = 24;
-    const std::size_t n = c.rows();
-    std::vector<std::array<double, strip_width>> strip(n);
-    for (std::size_t column = 0; column < n; column += strip_width) {
-        const std::size_t columns = std::min(strip_width, n - column);
-        for (std::size_t k = 0; k < n; ++k) std::copy_n(b.row(k) + column, columns, strip[k].begin());
-        for (std::size_t row = 0; row < n; row += 2) {
-            const std::size_t next = std::min(row + 1, n - 1);
-            std::array<double, strip_width> sum{}, next_sum{};
-            for (std::size_t k = 0; k < (triangular ? next + 1 : n); ++k) {
-                const double multiple = a(k, row), next_multiple = a(k, next);
-                for (std::size_t j = 0; j < strip_width; ++j) sum[j] += multiple * strip[k][j];
-                for (std::size_t j = 0; j < strip_width; ++j) next_sum[j] += next_multiple * strip[k][j];
-            }
-            for (std::size_t j = 0; j < columns; ++j) c(row, column + j) += factor * sum[j];
-            for (std::size_t j = 0; next > row && j < columns; ++j) c(next, column + j) += factor * next_sum[j];
+// |a - b^T c|, n x n each.
+double residual_norm(Matrix a, const Matrix& b, const Matrix& c) {
+    const std::size_t n = a.rows();
+    for (std::size_t i = 0; i < n; ++i) {
+        std::vector<double> sum(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            const double multiple = b(k, i);
+            if (multiple == 0) continue;  // half of a factor
+            for (std::size_t j = 0; j < n; ++j) sum[j] += multiple * c(k, j);
         }
+        for (std::size_t j = 0; j < n; ++j) a(i, j) -= sum[j];
     }
+    return row_sum_norm(a);
 }
 
-double largest(const std::vector<double>& x) {
-    double size = 0;
-    for (const double element : x) size = std::max(size, std::fabs(element));
-    return size;
-}
-
-double relative_error(std::vector<double> x, const std::vector<double>& exact) {
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= exact[i];
-    return largest(x) / largest(exact);
+double relative_error(std::vector<double> x, const std::optional<std::vector<double>>& exact) {
+    if (!exact) return INFINITY;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= (*exact)[i];
+    return largest(x) / largest(*exact);
 }
 
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
@@ -57,11 +43,11 @@ std::string stability_line(const StabilityRow& row) {
     const std::string text = setting(row) + line("%6g ", row.noise);
     if (!row.refusal.empty()) return "# " + text + row.refusal + '\n';
     const std::string errors = line("%12.5g %10.3g\n", row.absolute_weights, row.cosine_error);
-    if (!row.residuals)
+    if (row.residuals.condition == 0)
         return "  " + text + line("%10s %8s %8s %9.2g %9s ", "-", "-", "-", row.weight_error, "-") + errors;
     return "  " + text +
-           line("%10.3g %8.3f %8.3f %9.2g %9.2g ", row.residuals->condition, row.residuals->factor,
-                row.residuals->inverse, row.weight_error, row.inverse_error) +
+           line("%10.3g %8.3f %8.3f %9.2g %9.2g ", row.residuals.condition, row.residuals.factor, row.residuals.inverse,
+                row.weight_error, row.inverse_error) +
            errors;
 }
 
@@ -92,28 +78,20 @@ std::string digits_table(const std::vector<StabilityRow>& rows) {
     return text + "# -: the factor refuses the matrix; ?: not tried\n";
 }
 
-// A setting that the factor accepts although less than one digit of its weights is right.
-bool passes_unnoticed(const StabilityRow& row) { return row.refusal.empty() && !(row.weight_error < 0.1); }
-
-std::string unnoticed(const std::vector<StabilityRow>& rows) {
-    std::string text = "# The factor accepts these, and less than one digit of their weights is right:\n";
-    for (const StabilityRow& row : rows)
-        if (passes_unnoticed(row)) text += "#   " + setting(row) + line("noise %g\n", row.noise);
-    return text;
-}
-
 // What noise to choose, from the rows: where nothing is refused, and what is left of 16 digits there.
 std::string stability_verdict(const std::vector<StabilityRow>& rows) {
-    double factor = 0, inverse = 0;
+    Residuals most;
     for (const StabilityRow& row : rows) {
-        if (!row.residuals) continue;
-        factor = std::max(factor, row.residuals->factor);
-        inverse = std::max(inverse, row.residuals->inverse);
+        most.factor = std::max(most.factor, row.residuals.factor);
+        most.inverse = std::max(most.inverse, row.residuals.inverse);
     }
     std::string text =
         line("# The largest residual ratios are %.2g and %.2g: what is computed is as good as the matrix allows.\n",
-             factor, inverse) +
-        unnoticed(rows);
+             most.factor, most.inverse) +
+        "# The factor accepts these, and less than one digit of their weights is right:\n";
+    for (const StabilityRow& row : rows)
+        if (row.refusal.empty() && !(row.weight_error < 0.1))
+            text += "#   " + setting(row) + line("noise %g\n", row.noise);
     double chosen = 1;
     for (const double noise : {1e-2, 1e-4, 1e-6, 1e-8}) {
         double condition = 0, error = 0;
@@ -121,7 +99,7 @@ std::string stability_verdict(const std::vector<StabilityRow>& rows) {
         for (const StabilityRow& row : rows) {
             if (row.noise != noise) continue;
             refused += !row.refusal.empty();
-            if (row.residuals) condition = std::max(condition, row.residuals->condition);
+            condition = std::max(condition, row.residuals.condition);
             error = std::max(error, row.weight_error);
         }
         text += line(
@@ -134,17 +112,11 @@ std::string stability_verdict(const std::vector<StabilityRow>& rows) {
                        chosen);
 }
 
-// What the inverse leaves: the row's residuals and the error of the weights by it.
-void examine_inverse(const GaussianProcess& process, const std::optional<std::vector<double>>& right,
-                     StabilityRow& row) {
-    const std::size_t n = row.samples;
-    const Matrix inverse = process.inverse_covariance();
-    row.residuals = residuals_of(symmetric(covariance_matrix(*row.model.covariance, row.noise, process.directions())),
-                                 process.cholesky(), inverse);
-    std::vector<double> weights(n);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) weights[i] += inverse(i, j) * process.z()[j];
-    row.inverse_error = right ? relative_error(weights, *right) : INFINITY;
+std::vector<double> product(const Matrix& a, const std::vector<double>& x) {
+    std::vector<double> b(a.rows());
+    for (std::size_t i = 0; i < a.rows(); ++i)
+        for (std::size_t j = 0; j < x.size(); ++j) b[i] += a(i, j) * x[j];
+    return b;
 }
 
 }  // namespace
@@ -167,14 +139,12 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
 
 Residuals residuals_of(const Matrix& a, const Cholesky& cholesky, const Matrix& inverse) {
     const std::size_t n = a.rows();
-    const double a_norm = row_sum_norm(a), inverse_norm = row_sum_norm(inverse);
+    const double a_norm = row_sum_norm(a), condition = a_norm * row_sum_norm(inverse);
     const double unit = static_cast<double>(n) * DBL_EPSILON;
-    Matrix identity_residual(n, n), factor_residual = a;
-    for (std::size_t i = 0; i < n; ++i) identity_residual(i, i) = -1;
-    add_transposed_product(-1, cholesky.upper(), true, cholesky.upper(), factor_residual);
-    add_transposed_product(1, a, false, inverse, identity_residual);
-    return {row_sum_norm(factor_residual) / (unit * a_norm),
-            row_sum_norm(identity_residual) / (unit * a_norm * inverse_norm), a_norm * inverse_norm};
+    Matrix identity(n, n);
+    for (std::size_t i = 0; i < n; ++i) identity(i, i) = 1;
+    return {residual_norm(a, cholesky.upper(), cholesky.upper()) / (unit * a_norm),
+            residual_norm(identity, a, inverse) / (unit * condition), condition};
 }
 
 std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& model, const std::vector<double>& tried) {
@@ -182,19 +152,24 @@ std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& mod
     const ExactWeights exact(model, directions);
     std::vector<StabilityRow> rows;
     for (const double noise : tried) {
-        StabilityRow row{set, n, model, noise, "", std::nullopt, 0, 0, 0, 0};
+        StabilityRow row{set, n, model, noise};
         try {
             const GaussianProcess process(*model.covariance, noise, directions);
             const std::vector<double>& weights = process.weights();
             const auto right = exact.weights(noise, process.cholesky());
-            row.weight_error = right ? relative_error(weights, *right) : INFINITY;
+            row.weight_error = relative_error(weights, right);
             double estimate = 0;
             for (std::size_t i = 0; i < n; ++i) {
                 row.absolute_weights += std::fabs(weights[i]);
                 estimate += weights[i] * directions[i].y;
             }
             row.cosine_error = std::fabs(estimate - pi);
-            if (n <= 1000) examine_inverse(process, right, row);
+            if (n <= 1000) {
+                const Matrix q = symmetric(covariance_matrix(*model.covariance, noise, directions)),
+                             inverse = process.inverse_covariance();
+                row.residuals = residuals_of(q, process.cholesky(), inverse);
+                row.inverse_error = relative_error(product(inverse, process.z()), right);
+            }
         } catch (const NotPositiveDefinite& error) {
             row.refusal = line("pivot %zu is %.3g", error.index, error.value);
         }

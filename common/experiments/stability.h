@@ -5,7 +5,6 @@
 #include "experiments/models.h"
 #include "numerics/cholesky.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,9 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 // What LAPACK's test programs look at: residuals divided by what backward stable arithmetic leaves, so that a few at
 // most are right whatever the condition number (LAPACK accepts up to 30).
 struct Residuals {
-    double factor;     // |A - L L^T| / (n eps |A|)
-    double inverse;    // |I - A A^-1| / (n eps |A| |A^-1|)
-    double condition;  // |A| |A^-1|; all norms are row_sum_norm
+    double factor = 0;     // |A - L L^T| / (n eps |A|)
+    double inverse = 0;    // |I - A A^-1| / (n eps |A| |A^-1|)
+    double condition = 0;  // |A| |A^-1|; all norms are row_sum_norm
 };
 
 // The residuals of a factored symmetric n x n matrix.
@@ -36,12 +35,12 @@ struct StabilityRow {
     std::size_t samples;
     Model model;
     double noise;
-    std::string refusal;                 // why the covariance matrix was refused; then the numbers below are not set
-    std::optional<Residuals> residuals;  // of up to 1000 samples: the inverse of more takes long
-    double weight_error;                 // of the weights by solve, over the largest; infinite if no digit is right
-    double inverse_error;                // of the weights by inverse
-    double absolute_weights;             // sum of |w|
-    double cosine_error;                 // of the estimate of the integral of cos(theta)
+    std::string refusal = "";     // why the covariance matrix was refused; then the numbers below are 0
+    Residuals residuals{};        // of up to 1000 samples: the inverse of more takes long
+    double weight_error = 0;      // of the weights by solve, over the largest; infinite if no digit is right
+    double inverse_error = 0;     // of the weights by inverse, of up to 1000 samples
+    double absolute_weights = 0;  // sum of |w|
+    double cosine_error = 0;      // of the estimate of the integral of cos(theta)
 };
 
 // A row for each noise. The errors of the weights are those from the directions on: covariances, z, factor and
