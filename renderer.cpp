@@ -49,15 +49,14 @@ std::vector<Option> picture_options(Request& request) {
     RenderSettings& settings = request.settings;
     return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
              [&](const std::string& text) { set_size(settings, text); }},
-            {"environment", "FILE", environment_help,
-             [&](const std::string& text) { request.environment = parse_name(text); }},
+            name_option("environment", "FILE", environment_help, request.environment),
             choice_option("show", "", show_names, settings.show,
                           ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
                           "picture's RMSE"),
             {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
              [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
-            {"threads", "T", "changes the time only, not the picture (default: all cores)",
-             [&](const std::string& text) { settings.threads = static_cast<unsigned>(parse_integer(text, 1, 256)); }},
+            count_option("threads", "T", "changes the time only, not the picture (default: all cores)",
+                         settings.threads, 256),
             {"plain", "", "the textbook's loops: slower, the same bytes",
              [&](const std::string&) {
                  settings.plain = true;

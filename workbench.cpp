@@ -3,16 +3,26 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
-#include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
 #include "judge/judge.h"
+#include "scene/desert.h"
+#include "scene/radiance_hdr.h"
 
 #include <algorithm>
 
 namespace {
+
+// The built-in environment for other programs, as a Radiance picture.
+struct LightFile {
+    std::vector<Option> options() { return {}; }
+    std::string report() const {
+        require_file_output("./workbench light > desert.hdr");
+        return to_radiance_hdr(built_in_environment());
+    }
+};
 
 // The first is what the workbench does without a command.
 std::vector<Command> commands() {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -50,9 +51,14 @@ void print_error(const char* name, std::string text) {
     std::fprintf(stderr, "%s: %s\n", name, text.c_str());
 }
 
-// Whether the number that ends there is the whole text; strtod and strtol skip white space before a number.
-bool is_whole(const std::string& text, const char* end) {
-    return !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == text.c_str() + text.size();
+template <class T>
+T parse_whole(const std::string& text, T low, T high) {
+    T value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc() && stop == end && low <= value && value <= high) return value;
+    throw UsageError("'" + text + "' is not a whole number from " + std::to_string(low) + " to " +
+                     std::to_string(high));
 }
 
 }  // namespace
@@ -108,46 +114,29 @@ std::string describe(const std::vector<Option>& options) {
 
 double parse_real(const std::string& text, double low, double high) {
     char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (is_whole(text, end) && value >= low && value <= high) return value;
+    const double value = std::strtod(text.c_str(), &end);  // which skips white space
+    const bool whole =
+        !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == text.c_str() + text.size();
+    if (whole && value >= low && value <= high) return value;
     std::ostringstream allowed;
     allowed << "'" << text << "' is not a number from " << low << " to " << high;
     throw UsageError(allowed.str());
 }
 
-long parse_integer(const std::string& text, long low, long high) {
-    char* end = nullptr;
-    errno = 0;
-    const long value = std::strtol(text.c_str(), &end, 10);
-    if (!is_whole(text, end) || errno != 0 || value < low || value > high)
-        throw UsageError("'" + text + "' is not a whole number from " + std::to_string(low) + " to " +
-                         std::to_string(high));
-    return value;
-}
+long parse_integer(const std::string& text, long low, long high) { return parse_whole(text, low, high); }
 
-std::uint64_t parse_seed(const std::string& text) {
-    char* end = nullptr;
-    errno = 0;
-    const unsigned long long value = std::strtoull(text.c_str(), &end, 10);
-    if (!is_whole(text, end) || errno != 0 || text[0] == '-')
-        throw UsageError("'" + text + "' is not a whole number from 0 to 18446744073709551615");
-    return value;
-}
+std::uint64_t parse_seed(const std::string& text) { return parse_whole<std::uint64_t>(text, 0, UINT64_MAX); }
 
-std::string parse_name(const std::string& text) {
-    if (text.empty()) throw UsageError("an empty text is no name");
-    return text;
+Option name_option(const char* name, const char* argument, const std::string& description, std::string& value) {
+    return {name, argument, description, [&value](const std::string& text) {
+                if (text.empty()) throw UsageError("an empty text is no name");
+                value = text;
+            }};
 }
 
 Option real_option(const char* name, const char* argument, const char* description, double& value, Range range) {
     return {name, argument, description,
             [&value, range](const std::string& text) { value = parse_real(text, range.low, range.high); }};
-}
-
-Option count_option(const char* name, const char* argument, const char* description, std::size_t& value, long high) {
-    return {name, argument, description, [&value, high](const std::string& text) {
-                value = static_cast<std::size_t>(parse_integer(text, 1, high));
-            }};
 }
 
 std::vector<Option> joined(const std::vector<std::vector<Option>>& groups) {

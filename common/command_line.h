@@ -37,9 +37,6 @@ double parse_real(const std::string& text, double low, double high);
 long parse_integer(const std::string& text, long low, long high);
 std::uint64_t parse_seed(const std::string& text);
 
-// The text; throws UsageError if it is empty.
-std::string parse_name(const std::string& text);
-
 // An enum stands beside one table of its names, std::pair<const char*, T>; options, help and reports read it.
 
 // The value that the text names; throws UsageError with the list of names.
@@ -72,18 +69,25 @@ std::string choices(const std::pair<const char*, T> (&table)[count], T standard)
     return text;
 }
 
-// Options that set a value: the one that a table names, a number from low to high, a whole one from 1 to high.
+// Options that set a value: the one that a table names, a text that is not empty, a number from low to high, a whole
+// one from low to high.
 template <class T, std::size_t count>
 Option choice_option(const char* name, const std::string& description, const std::pair<const char*, T> (&table)[count],
                      T& value, const char* remark = "") {
     return {name, "NAME", description + choices(table, value) + remark,
             [&](const std::string& text) { value = parse_choice(text, table); }};
 }
+Option name_option(const char* name, const char* argument, const std::string& description, std::string& value);
 struct Range {
     double low, high;
 };
 Option real_option(const char* name, const char* argument, const char* description, double& value, Range range);
-Option count_option(const char* name, const char* argument, const char* description, std::size_t& value, long high);
+template <class T>
+Option count_option(const char* name, const char* argument, const char* description, T& value, long high,
+                    long low = 1) {
+    return {name, argument, description,
+            [&value, low, high](const std::string& text) { value = static_cast<T>(parse_integer(text, low, high)); }};
+}
 
 // The options of all groups.
 std::vector<Option> joined(const std::vector<std::vector<Option>>& groups);

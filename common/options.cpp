@@ -17,23 +17,23 @@ std::function<std::string()> unless_family(const ModelSettings& settings, Covari
 }  // namespace
 
 ModelOptions::ModelOptions(ModelSettings& s)
-    : covariance(choice_option("covariance", "", covariance_names, s.covariance)),
-      smoothness(real_option("smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
-                             s.smoothness, {1.001, 1.999})),
-      length_scale(real_option("length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
-                               s.length_scale, {0.05, 1e6})),
-      noise(real_option("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
-                        s.noise, {0, 1000})),
-      known(choice_option("known", "part of the integrand: ", known_without_light, s.prior.known,
-                          ", for sobolev with smoothness 1.5")),
-      mean(choice_option("mean", "of the prior: ", prior_mean_names, s.prior.mean,
-                         ", a uniform light of unknown radiance")),
+    : process{choice_option("covariance", "", covariance_names, s.covariance),
+              idle_while(unless_family(s, CovarianceFamily::sobolev),
+                         real_option("smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
+                                     s.smoothness, {1.001, 1.999})),
+              idle_while(
+                  unless_family(s, CovarianceFamily::squared_exponential),
+                  real_option("length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
+                              s.length_scale, {0.05, 1e6})),
+              real_option("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
+                          s.noise, {0, 1000}),
+              choice_option("known", "part of the integrand: ", known_without_light, s.prior.known,
+                            ", for sobolev with smoothness 1.5"),
+              choice_option("mean", "of the prior: ", prior_mean_names, s.prior.mean,
+                            ", a uniform light of unknown radiance")},
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
       seed{"seed", "K", "of the random numbers (default 1)",
-           [&s](const std::string& text) { s.seed = parse_seed(text); }} {
-    smoothness.idle = unless_family(s, CovarianceFamily::sobolev);
-    length_scale.idle = unless_family(s, CovarianceFamily::squared_exponential);
-}
+           [&s](const std::string& text) { s.seed = parse_seed(text); }} {}
 
 void require_closed_form(const ModelSettings& settings) {
     const bool closed = settings.covariance == CovarianceFamily::sobolev && settings.smoothness == 1.5;
@@ -43,21 +43,17 @@ void require_closed_form(const ModelSettings& settings) {
 }
 
 RenderOptions::RenderOptions(RenderSettings& s)
-    : method(choice_option("method", "", method_names, s.method)),
+    : ModelOptions(s),
+      method(choice_option("method", "", method_names, s.method)),
       samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_lattice_samples)),
-      placement(ModelOptions(s).placement),
-      seed(ModelOptions(s).seed) {
-    Option known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
-                                 "; the last two for sobolev with smoothness 1.5");
+      pool(idle_while([&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; },
+                      count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
+    for (Option& option : process) option = idle_while(no_process, option);
+    Option& known = process[4];
+    known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
+                          "; the last two for sobolev with smoothness 1.5");
     known.idle = [&s, no_process] { return s.prior.known == KnownPart::light ? "" : no_process(); };
-    const auto no_pool = [&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; };
-    pool = idle_while(no_pool, count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000));
-    const ModelOptions model(s);
-    for (const Option& option : {model.covariance, model.smoothness, model.length_scale, model.noise})
-        process.push_back(idle_while(no_process, option));
-    process.push_back(known);
-    process.push_back(idle_while(no_process, model.mean));
 }
 
 void require_possible(const RenderSettings& settings) {

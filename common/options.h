@@ -13,7 +13,8 @@
 constexpr long max_process_samples = 4096;
 
 struct ModelOptions {
-    Option covariance, smoothness, length_scale, noise, known, mean, placement, seed;
+    std::vector<Option> process;  // covariance, smoothness, length-scale, noise, known part, mean
+    Option placement, seed;
 
     explicit ModelOptions(ModelSettings& settings);
 };
@@ -21,10 +22,9 @@ struct ModelOptions {
 // Throws UsageError for a known part with which the covariance has no closed form.
 void require_closed_form(const ModelSettings& settings);
 
-struct RenderOptions {
+// Of the options of a process Monte Carlo takes only that the light is known.
+struct RenderOptions : ModelOptions {
     Option method, samples, pool;
-    std::vector<Option> process;  // of which Monte Carlo takes only that the light is known
-    Option placement, seed;
 
     explicit RenderOptions(RenderSettings& settings);
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "quadrature/gaussian_process.h"
 
@@ -11,26 +12,20 @@ namespace {
 constexpr long max_estimates = 100000;
 constexpr std::size_t max_rows = 1000;
 
-std::vector<std::size_t> split(const std::string& text, char separator) {
-    std::vector<std::size_t> numbers;
-    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
-        end = text.find(separator, begin);
-        const std::string word = text.substr(begin, end - begin);
+// A list "10,20,40" or a range "10:100:10".
+std::vector<std::size_t> parse_samples(const std::string& text) {
+    const char separator = text.find(':') < text.size() ? ':' : ',';
+    std::istringstream words(text + separator);
+    std::vector<std::size_t> numbers, range;
+    for (std::string word; std::getline(words, word, separator);) {
         if (word.empty()) throw UsageError("'" + text + "' is no list as 10,20,40 and no range FIRST:LAST:STEP");
         numbers.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
     }
-    return numbers;
-}
-
-// A list "10,20,40" or a range "10:100:10".
-std::vector<std::size_t> parse_samples(const std::string& text) {
-    if (text.find(':') == std::string::npos) return split(text, ',');
-    const std::vector<std::size_t> range = split(text, ':');
-    if (range.size() != 3 || range[0] > range[1])
+    if (separator == ',') return numbers;
+    if (numbers.size() != 3 || numbers[0] > numbers[1])
         throw UsageError("'" + text + "' is no range FIRST:LAST:STEP with FIRST <= LAST");
-    std::vector<std::size_t> samples;
-    for (std::size_t n = range[0]; n <= range[1]; n += range[2]) samples.push_back(n);
-    return samples;
+    for (std::size_t n = numbers[0]; n <= numbers[1]; n += numbers[2]) range.push_back(n);
+    return range;
 }
 
 void set_samples(ErrorSettings& settings, const std::string& text) {
@@ -121,23 +116,17 @@ std::vector<Integrand> integrands_named(const std::string& name) {
 
 std::vector<Option> ErrorTables::options() {
     ModelOptions model(settings);
-    model.length_scale.idle = nullptr;  // the column se_error always has one
-    return {{"integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)",
-             [this](const std::string& text) { integrand = parse_name(text); }},
-            {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
-             [this](const std::string& text) { set_samples(settings, text); }},
-            count_option("mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
-                         settings.mc_estimates, max_estimates),
-            count_option("bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
-                         settings.bmc_estimates, max_estimates),
-            model.covariance,
-            model.smoothness,
-            model.length_scale,
-            model.noise,
-            model.known,
-            model.mean,
-            model.placement,
-            model.seed};
+    model.process[2].idle = nullptr;  // the column se_error always has a length-scale
+    return joined(
+        {{name_option("integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)", integrand),
+          {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
+           [this](const std::string& text) { set_samples(settings, text); }},
+          count_option("mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
+                       settings.mc_estimates, max_estimates),
+          count_option("bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
+                       settings.bmc_estimates, max_estimates)},
+         model.process,
+         {model.placement, model.seed}});
 }
 
 std::string ErrorTables::report() const {

@@ -11,13 +11,13 @@
 #include <sstream>
 #include <stdexcept>
 
+void fail(std::size_t line, const std::string& problem) {
+    throw std::runtime_error("line " + std::to_string(line) + ": " + problem);
+}
+
 namespace {
 
 constexpr double largest_number = 1e100;  // so that sums of squares are finite
-
-[[noreturn]] void fail(std::size_t line, const std::string& problem) {
-    throw std::runtime_error("line " + std::to_string(line) + ": " + problem);
-}
 
 // A comma inside a word, though spaces part the words and there is no point.
 bool has_decimal_commas(const std::string& text) {

@@ -13,9 +13,12 @@
 // that begins with the file's name, if the file cannot be opened or read throws.
 void read_input(const std::string& file, const std::function<void(std::istream&)>& read);
 
+// Throws std::runtime_error that names the line, from 1.
+[[noreturn]] void fail(std::size_t line, const std::string& problem);
+
 // The numbers of one line.
 struct InputRow {
-    std::size_t line;  // from 1
+    std::size_t line;
     std::vector<double> numbers;
 };
 

@@ -22,6 +22,10 @@ struct Model {
     const char* name() const { return name_of(family, covariance_names); }
 };
 
+// Incident luminance times cos(theta), shadows included, at so many points that pixels of the sphere scene show, drawn
+// at random: the integrals that a renderer estimates. Truths are dense quadratures.
+std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t points);
+
 // What a process says of one integrand from one set of samples, and how far off its estimate is.
 struct Verdict {
     double error, predicted;  // of the estimate; its standard error

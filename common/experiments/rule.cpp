@@ -3,21 +3,17 @@
 #include "experiments/input.h"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace {
 
 void add_sample(Samples& samples, const InputRow& row, std::size_t columns) {
-    const auto fail = [&](const std::string& problem) {
-        throw std::runtime_error("line " + std::to_string(row.line) + ": " + problem);
-    };
     const std::vector<double>& numbers = row.numbers;
     if (numbers.size() != columns || columns < 3 || columns > 5)
-        fail(line("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
+        fail(row.line, line("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
     const Vec3 direction{numbers[0], numbers[1], numbers[2]};
     if (!(std::fabs(length(direction) - 1) <= 1e-6))
-        fail(line("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
-    if (direction.y < 0) fail(line("the direction lies below the horizon: its y is %.9g", direction.y));
+        fail(row.line, line("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
+    if (direction.y < 0) fail(row.line, line("the direction lies below the horizon: its y is %.9g", direction.y));
     samples.directions.push_back(direction);
     if (columns == 4) samples.values.push_back(numbers[3]);
 }
@@ -68,19 +64,13 @@ std::string matrices_report(const Matrix& covariance, const Matrix& inverse) {
 std::vector<Option> Rule::options() {
     const auto drawn = [this] { return directions.empty() ? "" : "--directions gives the directions"; };
     const ModelOptions model(settings);
-    return {idle_while(drawn, count_option("samples", "N", "directions of the rule (default 40)", samples,
-                                           max_process_samples)),
-            {"directions", "FILE", "in place of drawn ones: x y z or x y z value a line (-: standard input)",
-             [this](const std::string& text) { directions = parse_name(text); }},
-            {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }},
-            model.covariance,
-            model.smoothness,
-            model.length_scale,
-            model.noise,
-            model.known,
-            model.mean,
-            idle_while(drawn, model.placement),
-            idle_while(drawn, model.seed)};
+    return joined({{idle_while(drawn, count_option("samples", "N", "directions of the rule (default 40)", samples,
+                                                   max_process_samples)),
+                    name_option("directions", "FILE",
+                                "in place of drawn ones: x y z or x y z value a line (-: standard input)", directions),
+                    {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}},
+                   model.process,
+                   {idle_while(drawn, model.placement), idle_while(drawn, model.seed)}});
 }
 
 std::string Rule::report() const {

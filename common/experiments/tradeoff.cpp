@@ -17,10 +17,9 @@ const char* const measured =
 }  // namespace
 
 std::vector<Option> Tradeoff::options() {
-    return {{"environment", "FILE", std::string(environment_help) + " (default: each built-in light)",
-             [this](const std::string& text) { environment = parse_name(text); }},
-            {"size", "W", "of the pictures, W x W pixels (default 64)",
-             [this](const std::string& text) { costs.size = static_cast<int>(parse_integer(text, 2, 1024)); }},
+    return {name_option("environment", "FILE", std::string(environment_help) + " (default: each built-in light)",
+                        environment),
+            count_option("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 1024, 2),
             {"seed", "K", "other random numbers for other K (default 1)",
              [this](const std::string& text) { costs.seed = parse_seed(text); }},
             {"all", "",

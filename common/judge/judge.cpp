@@ -33,15 +33,14 @@ std::string picture_report(const PictureJudgement& judgement) {
 std::vector<Option> Judge::options() {
     const RenderOptions render_options(correct);
     const auto no_picture = [this] { return integrand.empty() ? "" : "an error table has none"; };
-    std::vector<Option> of_picture = {render_options.method, render_options.samples, render_options.pool};
-    of_picture.push_back({"environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert",
-                          [this](const std::string& text) { environment = parse_name(text); }});
+    std::vector<Option> of_picture{
+        render_options.method, render_options.samples, render_options.pool,
+        name_option("environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert", environment)};
     for (Option& option : of_picture) option = idle_while(no_picture, std::move(option));
     return joined(
-        {{{"", "FILE", "a picture (PPM or PFM) or, with --integrand, a table (-: standard input)",
-           [this](const std::string& text) { file = parse_name(text); }},
-          {"integrand", "NAME", "the file is the error table of constant, cosine, cosine-cubed or environment",
-           [this](const std::string& text) { integrand = parse_name(text); }}},
+        {{name_option("", "FILE", "a picture (PPM or PFM) or, with --integrand, a table (-: standard input)", file),
+          name_option("integrand", "NAME",
+                      "the file is the error table of constant, cosine, cosine-cubed or environment", integrand)},
          of_picture,
          render_options.process,
          {render_options.placement}});

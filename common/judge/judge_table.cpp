@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "experiments/command.h"
 #include "experiments/statistics.h"
@@ -19,13 +18,11 @@ constexpr double least_spread = 0.02;
 constexpr double rounding = 1e-6;
 
 std::size_t samples_of(const InputRow& row) {
-    const auto fail = [&](const std::string& problem) {
-        throw std::runtime_error("line " + std::to_string(row.line) + ": " + problem);
-    };
-    if (row.numbers.size() < 3) fail("a row should be samples, error of Monte Carlo, error of Bayesian Monte Carlo");
+    if (row.numbers.size() < 3)
+        fail(row.line, "a row should be samples, error of Monte Carlo, error of Bayesian Monte Carlo");
     const double n = row.numbers[0];
     if (!(n >= 1 && n <= static_cast<double>(most_samples) && n == std::floor(n)))
-        fail(line("%g samples; a whole number from 1 to %zu can be judged", n, most_samples));
+        fail(row.line, line("%g samples; a whole number from 1 to %zu can be judged", n, most_samples));
     return static_cast<std::size_t>(n);
 }
 
@@ -122,8 +119,7 @@ TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& i
     for (const InputRow& row : rows) {
         const std::size_t n = samples_of(row);
         if (std::count(judgement.samples.begin(), judgement.samples.end(), n) > 0)
-            throw std::runtime_error(
-                line("line %zu: %zu samples a second time; leave one table in the file", row.line, n));
+            fail(row.line, line("%zu samples a second time; leave one table in the file", n));
         judgement.samples.push_back(n);
     }
     for (const InputRow& row : rows) {

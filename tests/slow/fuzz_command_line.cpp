@@ -3,13 +3,14 @@
 
 #include "command_line.h"
 #include "experiments/error_table.h"
-#include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
 #include "judge/judge.h"
 #include "scene/desert.h"
+#include "scene/pilot.h"
+#include "scene/radiance_hdr.h"
 #include "scene/render.h"
 
 #include <getopt.h>

@@ -1,5 +1,5 @@
 #include "experiments/integrands.h"
-#include "experiments/scene_integrands.h"
+#include "experiments/models.h"
 #include "scene/desert.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,4 @@
 #include "experiments/models.h"
-#include "experiments/scene_integrands.h"
 #include "scene/desert.h"
 
 #include <doctest/doctest.h>

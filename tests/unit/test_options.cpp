@@ -7,8 +7,7 @@ namespace {
 
 std::vector<std::string> parse_model(std::vector<std::string> arguments, ModelSettings& settings) {
     const ModelOptions model(settings);
-    return parse(std::move(arguments), {model.covariance, model.smoothness, model.length_scale, model.noise,
-                                        model.known, model.mean, model.placement, model.seed});
+    return parse(std::move(arguments), joined({model.process, {model.placement, model.seed}}));
 }
 
 }  // namespace
