@@ -15,7 +15,7 @@ constexpr std::size_t lanes = 4;  // columns that are worked on side by side
 #else
 constexpr std::size_t lanes = 2;
 #endif
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef double Lanes __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
 constexpr std::size_t group = 6;           // rows of a tile, which is one or two times lanes wide
 constexpr std::size_t block = 128;         // rows that are subtracted at a time
 constexpr std::size_t widest_strip = 32;   // columns
