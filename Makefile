@@ -35,7 +35,7 @@ $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
 
 $(BUILD)/%.o: %.cpp $(BUILD)/settings
 	@mkdir -p $(@D)
-	$(call as,CXX $<) $(COMPILE) -MMD -MP -c $< -o $@
+	$(call as,CXX $<) $(COMPILE) $(EXTRA) -MMD -MP -c $< -o $@
 
 # Written anew when the command to compile has changed: all that was made by another is then out of date.
 $(BUILD)/settings: always

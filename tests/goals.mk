@@ -15,6 +15,7 @@ TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
 .PHONY: doctest test references handout grade grade_programs mutations portability fuzz bench figures seconds format-check
 
 $(TESTS): | doctest
+$(TESTS): EXTRA = -O1
 doctest:
 	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
 

@@ -5,7 +5,7 @@ ALONE = $(addprefix $(BUILD)/,alone alone_integral alone_rules)
 STUDENT = $(BUILD)/student.a
 LINK_ALONE = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS)
 
-$(BUILD)/$(COURSE)/%.o: override CXXFLAGS += -O0
+$(BUILD)/$(COURSE)/%.o: EXTRA = -O0
 
 $(STUDENT): $(COMMON)
 	@rm -f $@

@@ -17,7 +17,7 @@ int status(const std::string& file, const std::string& integrand, Method method)
 
 }  // namespace
 
-TEST_CASE("the exit status is 0 for what correct programs make, 1 for what they do not") {
+TEST_CASE("the exit status is 0 for what correct programs make, 1 for what they do not" * doctest::test_suite("long")) {
     const std::string table = "tests/output/references/smoothness.txt", picture = "tests/output/judged.ppm";
     CHECK(status(table, "cosine", Method::pool) == 0);
     CHECK(status(table, "environment", Method::pool) == 1);

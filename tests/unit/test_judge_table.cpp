@@ -33,7 +33,7 @@ std::vector<InputRow> table(std::uint64_t seed, std::size_t mc_estimates, std::s
 
 }  // namespace
 
-TEST_CASE("tables of twenty seeds are within what correct programs do") {
+TEST_CASE("tables of twenty seeds are within what correct programs do" * doctest::test_suite("long")) {
     int wrong = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) wrong += !judged(table(seed, 100, 10)).fits();
     CHECK(wrong == 0);
@@ -52,7 +52,7 @@ TEST_CASE("a cell's spread is that of means of 100 and of 10 absolute errors, 7 
     }
 }
 
-TEST_CASE("errors twice as large or half as large are found in their column") {
+TEST_CASE("errors twice as large or half as large are found in their column" * doctest::test_suite("long")) {
     const TableJudgement twice = judged(table(2, 100, 10, 2, 1)), half = judged(table(2, 100, 10, 1, 0.4));
     CHECK(!twice.mc.fits());
     CHECK(twice.bmc.fits());
@@ -99,7 +99,8 @@ TEST_CASE("a ratio just inside what is accepted fits, and one just outside does 
     CHECK(!scattered(1.001 * most).fits());
 }
 
-TEST_CASE("what makes errors of correct ones is named: a factor, another scale, exchanged columns") {
+TEST_CASE("what makes errors of correct ones is named: a factor, another scale, exchanged columns" *
+          doctest::test_suite("long")) {
     const auto report = [](double mc, double bmc) { return table_report(judged(table(5, 100, 10, mc, bmc))); };
     const auto contains = [](const std::string& text, const std::string& part) {
         return text.find(part) != std::string::npos;

@@ -328,7 +328,8 @@ TEST_CASE("no pixel is black where a rule has a negative weight and the light is
         for (const WeightedDirection& each : rules.of({0, 1, 0}, random).rule->rule) CHECK(each.weight >= 0);
 }
 
-TEST_CASE("a known light and many directions tend to the same picture as a dense quadrature") {
+TEST_CASE("a known light and many directions tend to the same picture as a dense quadrature" *
+          doctest::test_suite("long")) {
     const EnvironmentMap environment = built_in_environment();
     const Image truth = dense_quadrature(environment);
     RenderSettings settings = small(Method::mc);
