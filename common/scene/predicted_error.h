@@ -14,8 +14,8 @@
 // Monte Carlo on independent directions has the variance of its samples in place of Y^T Q^-1 Y / n, and U = 1 / n; for
 // a known light the variance of the v_j, and U = sum of m_j^2.
 // A known sun adds (albedo / pi)^2 E_sun(n)^2 c / (2 m (m - 1)), c how often one of its m rays, in their order, passes
-// and the next does not, or the other way round: the successive differences of stratified samples (Wolter, "Introduction
-// to Variance Estimation", 1985, chapter 7). It is nothing where all rays agree.
+// and the next does not, or the other way round: the successive differences of stratified samples (Wolter,
+// "Introduction to Variance Estimation", 1985, chapter 7). It is nothing where all rays agree.
 #pragma once
 
 #include "scene/image.h"

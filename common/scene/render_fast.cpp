@@ -183,7 +183,8 @@ private:
             pixel.set_frame(Frame(hit.normal).rotated(turns));
         }
         if (!shared_.empty() && rules_.sun_samples() > 0) rays = {rules_.sun_samples(), random};
-        if (averages_) pixel.sun = averages_->sun_irradiance(hit.normal) * visible_sun(scene_, *averages_, hit, rays).fraction;
+        if (averages_)
+            pixel.sun = averages_->sun_irradiance(hit.normal) * visible_sun(scene_, *averages_, hit, rays).fraction;
         ++block.size;
     }
 
