@@ -37,13 +37,13 @@ const Method all_methods[] = {Method::mc, Method::direct, Method::single, Method
 TEST_CASE("the fast loops give the textbook's bytes for every method, placement, known part and mean") {
     for (const Light& light : lights)
         for (const Method method : all_methods)
-            for (const auto& [name, placement] : placement_names)
+            for (const auto& placement : placement_names)
                 for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine, KnownPart::light})
                     for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform}) {
                         RenderSettings settings = small(method, 11);
-                        settings.placement = placement;
+                        settings.placement = placement.second;
                         settings.prior = {known, mean};
-                        CAPTURE(name);
+                        CAPTURE(placement.first);
                         CHECK(agree(settings, light));
                     }
 }
