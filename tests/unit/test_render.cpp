@@ -324,8 +324,10 @@ TEST_CASE("no pixel is black where a rule has a negative weight and the light is
     settings.samples = 12;
     settings.prior.known = KnownPart::light;
     PixelRules rules(settings, &light.averages());
-    for (int i = 0; i < 200; ++i)
-        for (const WeightedDirection& each : rules.of({0, 1, 0}, random).rule->rule) CHECK(each.weight >= 0);
+    for (int i = 0; i < 200; ++i) {
+        const PlacedRule placed = rules.of({0, 1, 0}, random);
+        for (const WeightedDirection& each : placed.rule->rule) CHECK(each.weight >= 0);
+    }
 }
 
 TEST_CASE("a known light and many directions tend to the same picture as a dense quadrature" *
