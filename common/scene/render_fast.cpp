@@ -17,8 +17,8 @@ namespace {
 typedef float Float4 __attribute__((vector_size(16)));
 typedef double Double4 __attribute__((vector_size(32)));
 
-// The numbers that one instruction takes at most; loops run on to a multiple of them, and what they write beyond the
-// end is overwritten or not read.
+// The numbers that one instruction takes at most; loops begin at a multiple of them and run on to the next one, and
+// what they write beyond the end is overwritten or not read.
 constexpr std::size_t lanes = 8;
 constexpr std::size_t padded(std::size_t n) { return (n + lanes - 1) / lanes * lanes; }
 
@@ -194,7 +194,7 @@ private:
             for (int k = 0; k < 4; ++k) pixel.sum[k] = pixel.all[k] = 0;
             pixel.shadowed = false;
         }
-        const std::size_t batch = block.size > 0 ? most_rays / block.size : 0;
+        const std::size_t batch = block.size > 0 ? most_rays / block.size / lanes * lanes : 0;
         for (std::size_t begin = 0; begin < samples_ && block.size > 0; begin += batch) {
             const std::size_t n = std::min(batch, samples_ - begin);
             if (averages_)
