@@ -180,10 +180,10 @@ SineCosine sincos_turns(double turns) {
     const double cosine =
         parabola.hi + (parabola.lo + (square * square * polynomial(cosine_tail, square) - x.hi * x.lo));
 
-    const bool swapped = quadrant & 1;
-    const double first = swapped ? cosine : sine;
-    const double second = swapped ? sine : cosine;
-    return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
+    // The sum of two angles: products with 0 and 1 are exact, and no branch depends on the angle.
+    constexpr double sine_of_quadrants[] = {0, 1, 0, -1};
+    const double s = sine_of_quadrants[quadrant & 3], c = sine_of_quadrants[(quadrant + 1) & 3];
+    return {c * sine + s * cosine, c * cosine - s * sine};
 }
 
 #ifdef UNGUARDED_ARITHMETIC
