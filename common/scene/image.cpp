@@ -72,11 +72,10 @@ double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : porta
 std::string to_ppm(const Image& image) {
     const SrgbEncoder encoder;
     std::string bytes = header("P6", image, "255");
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            const Color color = image(x, y);
-            for (double channel : {color.x, color.y, color.z}) bytes += encoder.byte(channel);
-        }
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + image.rgb().size());
+    std::transform(image.rgb().begin(), image.rgb().end(), bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                   [&](float linear) { return encoder.byte(linear); });
     return bytes;
 }
 

@@ -18,6 +18,9 @@ public:
     Color operator()(int x, int y) const;
     void set(int x, int y, Color color);
 
+    // The channels of all pixels, row after row from the top.
+    const std::vector<float>& rgb() const { return rgb_; }
+
 private:
     std::size_t offset(int x, int y) const;
 
