@@ -13,9 +13,9 @@
 
 namespace {
 
-// One instruction loads four floats and one widens them: a texel and what follows it.
-typedef float Float4 __attribute__((vector_size(16)));
+// A texel and what follows it: one instruction loads and widens them where Double4{t[0], t[1], t[2], t[3]} stands.
 typedef double Double4 __attribute__((vector_size(32)));
+typedef int Mask __attribute__((vector_size(32)));
 
 // The numbers that one instruction takes at most; loops begin at a multiple of them and run on to the next one, and
 // what they write beyond the end is overwritten or not read.
@@ -70,7 +70,8 @@ struct Pixel {
 };
 
 struct Rays {
-    float x[most_rays + lanes], y[most_rays + lanes], z[most_rays + lanes], visible[most_rays + lanes];
+    float x[most_rays + lanes], y[most_rays + lanes], z[most_rays + lanes];
+    int visible[most_rays + lanes];  // all bits or none
     int texel[most_rays + lanes];
 };
 
@@ -79,14 +80,14 @@ struct Block {
     Pixel pixel[most_pixels];
     Rule fresh[most_pixels];
     Rays rays;
-    const float* light[most_rays];
 };
 
 template <class Shadow>
 void find_rays(const Pixel& pixel, std::size_t begin, std::size_t n, Shadow shadow, Rays& rays, std::size_t at) {
     const float *a = pixel.rule->x.data() + begin, *b = pixel.rule->y.data() + begin, *c = pixel.rule->z.data() + begin;
     const Direction t = pixel.tangent, u = pixel.normal, v = pixel.bitangent;
-    float *x = rays.x + at, *y = rays.y + at, *z = rays.z + at, *visible = rays.visible + at;
+    float *x = rays.x + at, *y = rays.y + at, *z = rays.z + at;
+    int* visible = rays.visible + at;
     const std::size_t end = padded(n);
     INDEPENDENT
     for (std::size_t i = 0; i < end; ++i) {
@@ -96,7 +97,7 @@ void find_rays(const Pixel& pixel, std::size_t begin, std::size_t n, Shadow shad
         x[i] = dx;
         y[i] = dy;
         z[i] = dz;
-        visible[i] = shadow(dx, dy, dz) ? 0.0f : 1.0f;
+        visible[i] = shadow(dx, dy, dz) ? 0 : -1;
     }
 }
 
@@ -153,23 +154,22 @@ public:
                 image.set(x, y, environment_.interpolated_radiance(ray.direction));
                 continue;
             }
-            add_pixel(x, y, *hit, block);
+            block.pixel[block.size].column = x;
+            block.pixel[block.size++].hit = *hit;
             if (block.size == pixels) finish(block, y, image);
         }
         finish(block, y, image);
     }
 
 private:
-    void add_pixel(int x, int y, const Hit& hit, Block& block) const {
-        Random random = pixel_stream(settings_, x, y);
-        Pixel& pixel = block.pixel[block.size];
-        pixel.column = x;
-        pixel.hit = hit;
+    void place_rule(Pixel& pixel, Rule& fresh, int y) const {
+        Random random = pixel_stream(settings_, pixel.column, y);
+        const Hit& hit = pixel.hit;
         SunRays rays;
         if (shared_.empty()) {
             const PlacedRule placed = rules_.of(hit.normal, random);
-            block.fresh[block.size].assign(*placed.rule);
-            pixel.rule = &block.fresh[block.size];
+            fresh.assign(*placed.rule);
+            pixel.rule = &fresh;
             pixel.set_frame(placed.frame);
             rays = placed.sun;
         } else if (settings_.method == Method::single) {
@@ -185,12 +185,12 @@ private:
         if (!shared_.empty() && rules_.sun_samples() > 0) rays = {rules_.sun_samples(), random};
         if (averages_)
             pixel.sun = averages_->sun_irradiance(hit.normal) * visible_sun(scene_, *averages_, hit, rays).fraction;
-        ++block.size;
     }
 
     void finish(Block& block, int y, Image& image) const {
         for (std::size_t p = 0; p < block.size; ++p) {
             Pixel& pixel = block.pixel[p];
+            place_rule(pixel, block.fresh[p], y);
             for (int k = 0; k < 4; ++k) pixel.sum[k] = pixel.all[k] = 0;
             pixel.shadowed = false;
         }
@@ -202,10 +202,14 @@ private:
             else
                 add_light(block, begin, n);
         }
+        Color sky;
         for (std::size_t p = 0; p < block.size; ++p) {
             const Pixel& pixel = block.pixel[p];
+            const Vec3 normal = pixel.hit.normal, last = block.pixel[p > 0 ? p - 1 : 0].hit.normal;
+            if (averages_ && (p == 0 || normal.x != last.x || normal.y != last.y || normal.z != last.z))
+                sky = averages_->sky_irradiance(normal);
             const Color irradiance =
-                averages_ ? known_irradiance(pixel) + pixel.sun : Color{pixel.sum[0], pixel.sum[1], pixel.sum[2]};
+                averages_ ? sky * visible_sky(pixel) + pixel.sun : Color{pixel.sum[0], pixel.sum[1], pixel.sum[2]};
             image.set(pixel.column, y, 1 / portable::pi * (pixel.hit.albedo * irradiance));
         }
         block.size = 0;
@@ -230,26 +234,21 @@ private:
         for (std::size_t p = 0; p < block.size; ++p) {
             Pixel& pixel = block.pixel[p];
             find_rays(scene_, pixel, begin, n, rays, count * n);
-            const float* visible = rays.visible + count * n;
-            pixel.shadowed = pixel.shadowed || std::count(visible, visible + n, 0.0f) > 0;
+            int all = -1;
+            for (std::size_t i = 0; i < n; ++i) all &= rays.visible[count * n + i];
+            pixel.shadowed = pixel.shadowed || all == 0;
             if (pixel.shadowed || !last) pixels[count++] = &pixel;
         }
         for (std::size_t p = 0; p < count; ++p) find_cap_texels(*pixels[p]->rule, begin, n, rays, p * n);
-        for (std::size_t p = 0; p < count; ++p)
-            for (std::size_t i = 0; i < n; ++i) {
-                block.light[p * n + i] = pixels[p]->rule->rgb[begin + i] + rays.texel[p * n + i];
-                __builtin_prefetch(block.light[p * n + i]);
-            }
         std::size_t p = 0;
         for (; p + 2 <= count; p += 2) sum_known_light<2>(block, pixels + p, p * n, begin, n);
         for (; p < count; ++p) sum_known_light<1>(block, pixels + p, p * n, begin, n);
     }
 
-    Color known_irradiance(const Pixel& pixel) const {
-        const Color irradiance = averages_->sky_irradiance(pixel.hit.normal);
-        if (!pixel.shadowed) return irradiance;
+    static Color visible_sky(const Pixel& pixel) {
+        if (!pixel.shadowed) return {1, 1, 1};
         const auto fraction = [&](int k) { return pixel.all[k] > 0 ? pixel.sum[k] / pixel.all[k] : 1; };
-        return irradiance * Color{fraction(0), fraction(1), fraction(2)};
+        return {fraction(0), fraction(1), fraction(2)};
     }
 
     static void find_cap_texels(const Rule& rule, std::size_t begin, std::size_t n, Rays& rays, std::size_t at) {
@@ -266,20 +265,21 @@ private:
     static void sum_known_light(Block& block, Pixel** pixels, std::size_t at, std::size_t begin, std::size_t n) {
         Double4 sum[together], all[together];
         const double* weight[together];
-        const float* visible = block.rays.visible + at;
-        const float** light = block.light + at;
+        const int* visible = block.rays.visible + at;
+        const int* texels = block.rays.texel + at;
+        const float* const* rgb[together];
         for (std::size_t k = 0; k < together; ++k) {
             std::memcpy(&sum[k], pixels[k]->sum, sizeof sum[k]);
             std::memcpy(&all[k], pixels[k]->all, sizeof all[k]);
             weight[k] = pixels[k]->rule->weight.data() + begin;
+            rgb[k] = pixels[k]->rule->rgb.data() + begin;
         }
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t k = 0; k < together; ++k) {
-                Float4 texel;
-                std::memcpy(&texel, light[k * n + i], sizeof texel);
-                const Double4 part = weight[k][i] * __builtin_convertvector(texel, Double4);
+                const float* t = rgb[k][i] + texels[k * n + i];
+                const Double4 part = weight[k][i] * Double4{t[0], t[1], t[2], t[3]};
                 all[k] += part;
-                sum[k] += static_cast<double>(visible[k * n + i]) * part;
+                sum[k] += Double4(Mask(part) & (visible[k * n + i] - Mask{}));
             }
         for (std::size_t k = 0; k < together; ++k) {
             std::memcpy(pixels[k]->sum, &sum[k], sizeof sum[k]);
@@ -292,7 +292,7 @@ private:
         INDEPENDENT
         for (std::size_t i = 0; i < end; ++i) {
             const int texel = 3 * grid.texel_index(rays.x[i], rays.y[i], rays.z[i]);
-            rays.texel[i] = rays.visible[i] > 0 ? texel : black;
+            rays.texel[i] = rays.visible[i] ? texel : black;
         }
     }
 
@@ -308,9 +308,8 @@ private:
         }
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t k = 0; k < together; ++k) {
-                Float4 light;
-                std::memcpy(&light, texels + texel[k * n + i], sizeof light);
-                sum[k] += weight[k][i] * __builtin_convertvector(light, Double4);
+                const float* t = texels + texel[k * n + i];
+                sum[k] += weight[k][i] * Double4{t[0], t[1], t[2], t[3]};
             }
         for (std::size_t k = 0; k < together; ++k) std::memcpy(block.pixel[p + k].sum, &sum[k], sizeof sum[k]);
     }
