@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "parsed_words.h"
 #include "rows_of.h"
 
 TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
@@ -77,6 +78,17 @@ TEST_CASE("what is only rounding counts as no error") {
     CHECK(std::isinf(cosine.gain()));
 }
 
+TEST_CASE("an error above rounding counts, however small") {
+    const double truth = 2 * portable::pi;
+    ErrorSettings settings;
+    settings.samples = {30};
+    settings.bmc_estimates = 1;
+    for (const auto& [relative, counts] : {std::pair(2e-13, false), std::pair(5e-12, true)}) {
+        const Integrand off{"", "", [](Vec3) { return 1.0; }, (1 + relative) * truth};
+        CHECK((error_table(off, settings)[0].mc_error > 0) == counts);
+    }
+}
+
 TEST_CASE("a rival that is refused leaves nan in its column and the reason in a comment, and the table complete") {
     ErrorSettings settings;
     settings.samples = {20, 100};
@@ -91,4 +103,11 @@ TEST_CASE("a rival that is refused leaves nan in its column and the reason in a 
     CHECK(report.find(
               "\n# squared-exponential, length-scale 5, 100 directions: the matrix is not positive definite: pivot ") !=
           std::string::npos);
+}
+
+TEST_CASE("a table has at most 1000 rows") {
+    ErrorTables tables;
+    parse({"--samples", "1:1000:1"}, tables.options());
+    CHECK(tables.settings.samples.size() == 1000);
+    CHECK_THROWS_AS(parse({"--samples", "1:1001:1"}, tables.options()), UsageError);
 }

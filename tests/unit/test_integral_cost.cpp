@@ -13,7 +13,8 @@ TEST_CASE("what an integral costs: a rule pays off when Monte Carlo at equal err
 
 TEST_CASE("the error of Monte Carlo is that of its variance, which Bayesian Monte Carlo beats, and times are positive" *
           doctest::test_suite("long")) {
-    for (const IntegralCost& row : integral_costs(practice_integrands()[1], 1, true)) {
+    const std::vector<IntegralCost> rows = integral_costs(practice_integrands()[1], 1, true);
+    for (const IntegralCost& row : rows) {
         // cos(theta) has variance 1/12 under the uniform density; the dense quadrature errs by 1e-10.
         const double expected = 2 * portable::pi * std::sqrt(1.0 / 12 / static_cast<double>(row.samples));
         CHECK(std::fabs(row.mc_error / expected - 1) < 1e-9);
@@ -22,4 +23,5 @@ TEST_CASE("the error of Monte Carlo is that of its variance, which Bayesian Mont
         CHECK(row.seconds[2] > 0);
         CHECK(row.rule_seconds() > row.seconds[2]);
     }
+    CHECK(integral_costs(practice_integrands()[1], 2, false)[0].bmc_error != rows[0].bmc_error);
 }

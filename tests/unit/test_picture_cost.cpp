@@ -1,4 +1,6 @@
 #include "experiments/picture_cost.h"
+#include "experiments/picture_error.h"
+#include "experiments/statistics.h"
 #include "scene/desert.h"
 
 #include <doctest/doctest.h>
@@ -66,6 +68,18 @@ TEST_CASE("a light that reaches no object is refused") {
     CHECK_THROWS_WITH_AS(picture_costs(EnvironmentMap(1, 1, {0, 0, 0}), main_settings(), {10}, untimed(2)),
                          "the environment lights no object, so there is no error to compare; take another",
                          std::invalid_argument);
+}
+
+TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds" * doctest::test_suite("long")) {
+    const EnvironmentMap light = built_in_environment();
+    RenderSettings settings = main_settings()[2];
+    settings.width = settings.height = 129;
+    settings.samples = 1;
+    const Truth truth = dense_truth(light, settings, 10000);
+    RootMeanSquare expected;
+    for (settings.seed = 1; settings.seed <= 4; ++settings.seed)
+        expected.add(image_error(render(sphere_scene(), light, settings), truth).rmse);
+    CHECK(picture_costs(light, {settings}, {1}, untimed(129))[0].rmse == expected.value());
 }
 
 TEST_CASE("progress grows to 1, other seeds make other errors, and measured times are positive") {

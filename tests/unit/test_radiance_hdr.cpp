@@ -101,6 +101,15 @@ TEST_CASE("new-style scanlines decode runs and literals of each component") {
     CHECK(values(map) == expected);
 }
 
+TEST_CASE("new-style scanlines have up to 32767 texels") {
+    std::vector<int> scanline{2, 2, 127, 255};
+    for (int component = 0; component < 4; ++component) {
+        for (int run = 0; run < 258; ++run) scanline.insert(scanline.end(), {128 + 127, 136});  // 258 * 127 = 32766
+        scanline.insert(scanline.end(), {1, 136});
+    }
+    CHECK(values(read(header("-Y 1 +X 32767") + bytes(scanline))) == std::vector<float>(3 * 32767, 136));
+}
+
 TEST_CASE("old-style scanlines repeat a texel, with counts of more than one byte") {
     const std::string texel = bytes({128, 129, 130, 136}), other = bytes({7, 8, 9, 136});
     // 520 = 1 + 6 + 2 * 256 + 1 = 1 + 2 + 1 + 4 + 2 * 256
@@ -197,5 +206,7 @@ TEST_CASE("a map that is written and read back is off by half a step of its texe
         for (std::size_t j = i; j < i + 3; ++j) CHECK(std::fabs(double{back[j]} - double{rgb[j]}) <= largest / 255.5);
     }
     CHECK(back[9] == 255 * 0x1p119f);
+    // 255.6 is nearer to 128 * 2 than to 255, and all of its texel goes in steps of 2.
+    CHECK(std::vector<float>(back.begin() + 15, back.begin() + 18) == std::vector<float>{256, 256, 8});
     CHECK(std::vector<float>(back.begin(), back.begin() + 6) == std::vector<float>{0, 0, 0, 1, 0.5f, 0.25f});
 }

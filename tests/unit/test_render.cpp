@@ -313,6 +313,9 @@ TEST_CASE("sun and sky are the whole light; a light without a sun has the sky's 
         }
         CHECK(averages.sun().empty() == (averages.sun_irradiance({0.8, 0.48, 0.36}).x == 0));
         CHECK(averages.sun().share() == doctest::Approx(averages.sun().empty() ? 0 : 0.83).epsilon(0.02));
+        // Half of 0.83 of the samples, to the nearest number.
+        for (const auto& [samples, of_sun] : {std::pair(1u, 1u), {4u, 2u}, {10u, 4u}})
+            CHECK(sun_samples(averages, samples) == (averages.sun().empty() ? 0 : of_sun));
     }
 }
 

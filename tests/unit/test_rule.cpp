@@ -95,6 +95,8 @@ TEST_CASE("a line that is no direction is named") {
                          "line 2: the direction has length 1.000002; it should be 1 within 1e-6", std::runtime_error);
     CHECK_THROWS_WITH_AS(read("0.6 -0.8 0\n"), "line 1: the direction lies below the horizon: its y is -0.8",
                          std::runtime_error);
+    CHECK_THROWS_WITH_AS(read("1 -1e-300 0\n"), "line 1: the direction lies below the horizon: its y is -1e-300",
+                         std::runtime_error);
     CHECK_THROWS_WITH_AS(read("# nothing\n"), "there are no numbers in it", std::runtime_error);
     CHECK_THROWS_WITH_AS(read(std::string(5000, ' ')), "line 1: it is longer than 4095 characters", std::runtime_error);
 }
