@@ -18,7 +18,7 @@ constexpr std::size_t lanes = 2;
 typedef double Lanes __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
 constexpr std::size_t group = 6;           // rows of a tile, which is one or two times lanes wide
 constexpr std::size_t block = 128;         // rows that are subtracted at a time
-constexpr std::size_t widest_strip = 32;   // columns
+constexpr std::size_t widest_strip = 48;   // columns
 constexpr std::size_t small_matrix = 160;  // rows; its factor needs no strips
 
 // Rows that are subtracted: count of them, one every step numbers; and how often each is, from target row r:
