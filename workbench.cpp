@@ -1,4 +1,5 @@
-// Prints the error tables of Monte Carlo against Bayesian Monte Carlo, and the reports of its other experiments.
+// Prints the error tables of Monte Carlo against Bayesian Monte Carlo, and the reports of its other experiments:
+// columns between white space under lines that begin with '#', as gnuplot and awk read them.
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
@@ -12,8 +13,23 @@
 #include "scene/radiance_hdr.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace {
+
+struct Command {
+    std::string name;     // empty: what the workbench does without a command
+    std::string summary;  // for the help text
+    std::vector<Option> options;
+    std::function<Outcome()> report;  // throws UsageError where options do not fit together
+};
+
+// The command that runs an Experiment: a type with options(), which set its members, and report().
+template <class Experiment>
+Command command(const char* name, const char* summary) {
+    const auto experiment = std::make_shared<Experiment>();
+    return {name, summary, experiment->options(), [experiment] { return experiment->report(); }};
+}
 
 // The built-in environment for other programs, as a Radiance picture.
 struct LightFile {

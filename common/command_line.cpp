@@ -30,11 +30,10 @@ void write_all(const std::string& output) {
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
 
-// What getopt_long returns for options[0]. Each option has a value of its own, or getopt_long would take --s for the
-// first option that begins so, though several do.
+// What getopt_long returns for options[0]; a value for each, or it would take --s for the first that begins so.
 constexpr int first_option = 256;
 
-// After getopt_long has returned ':' or '?', with the offender in optopt: an option, a letter, or 0 for another word.
+// After getopt_long has returned ':' or '?', with an option, a letter, or 0 for another word in optopt.
 UsageError not_found(int reason, char** argv) {
     const std::string word = argv[optind - 1];
     if (reason == ':') return UsageError(word + " needs a value; --help shows which");
@@ -118,9 +117,7 @@ double parse_real(const std::string& text, double low, double high) {
     const bool whole =
         !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == text.c_str() + text.size();
     if (whole && value >= low && value <= high) return value;
-    std::ostringstream allowed;
-    allowed << "'" << text << "' is not a number from " << low << " to " << high;
-    throw UsageError(allowed.str());
+    throw UsageError("'" + text + line("' is not a number from %g to %g", low, high));
 }
 
 long parse_integer(const std::string& text, long low, long high) { return parse_whole(text, low, high); }
@@ -134,9 +131,14 @@ Option name_option(const char* name, const char* argument, const std::string& de
             }};
 }
 
-Option real_option(const char* name, const char* argument, const char* description, double& value, Range range) {
+Option real_option(const char* name, const char* argument, const char* description, double& value,
+                   std::pair<double, double> range) {
     return {name, argument, description,
-            [&value, range](const std::string& text) { value = parse_real(text, range.low, range.high); }};
+            [&value, range](const std::string& text) { value = parse_real(text, range.first, range.second); }};
+}
+
+Option seed_option(const char* description, std::uint64_t& seed) {
+    return {"seed", "K", description, [&seed](const std::string& text) { seed = parse_seed(text); }};
 }
 
 std::vector<Option> joined(const std::vector<std::vector<Option>>& groups) {

@@ -4,6 +4,7 @@
 #include "numerics/portable_math.h"
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -26,10 +27,10 @@ struct Option {
 };
 
 // Applies the options in argv. Returns the arguments that no option takes. Throws UsageError, the text naming the
-// option, also for one that would change nothing: whoever gave it expects something else.
+// option, also for one that would change nothing.
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options);
 
-// One line or more for each option, for a help text.
+// For a help text.
 std::string describe(const std::vector<Option>& options);
 
 // The number that the text is, entirely; throws UsageError unless it lies in [low, high].
@@ -61,16 +62,14 @@ const char* name_of(T wanted, const std::pair<const char*, T> (&table)[count]) {
 template <class T, std::size_t count>
 std::string choices(const std::pair<const char*, T> (&table)[count], T standard) {
     std::string text;
-    for (std::size_t i = 0; i < count; ++i)
-        text += (i == 0          ? ""
-                 : i + 1 < count ? ", "
-                                 : " or ") +
-                std::string(table[i].first) + (table[i].second == standard ? " (default)" : "");
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0) text += i + 1 < count ? ", " : " or ";
+        text += std::string(table[i].first) + (table[i].second == standard ? " (default)" : "");
+    }
     return text;
 }
 
-// Options that set a value: the one that a table names, a text that is not empty, a number from low to high, a whole
-// one from low to high.
+// Options that set a value: the one that a table names, a text that is not empty, a number, a whole one, a seed.
 template <class T, std::size_t count>
 Option choice_option(const char* name, const std::string& description, const std::pair<const char*, T> (&table)[count],
                      T& value, const char* remark = "") {
@@ -78,10 +77,9 @@ Option choice_option(const char* name, const std::string& description, const std
             [&](const std::string& text) { value = parse_choice(text, table); }};
 }
 Option name_option(const char* name, const char* argument, const std::string& description, std::string& value);
-struct Range {
-    double low, high;
-};
-Option real_option(const char* name, const char* argument, const char* description, double& value, Range range);
+Option real_option(const char* name, const char* argument, const char* description, double& value,
+                   std::pair<double, double> range);
+Option seed_option(const char* description, std::uint64_t& seed);
 template <class T>
 Option count_option(const char* name, const char* argument, const char* description, T& value, long high,
                     long low = 1) {
@@ -95,6 +93,14 @@ std::vector<Option> joined(const std::vector<std::vector<Option>>& groups);
 // The option, which changes nothing where there is a reason.
 Option idle_while(const std::function<std::string()>& reason, Option option);
 
+// What printf would print; at most 319 characters.
+template <class... Arguments>
+std::string line(const char* format, Arguments... arguments) {
+    char text[320];
+    std::snprintf(text, sizeof text, format, arguments...);
+    return text;
+}
+
 // What a program prints to stdout, and its exit status: 1 tells a script that something was found wrong.
 struct Outcome {
     std::string text;
@@ -103,8 +109,8 @@ struct Outcome {
     Outcome(std::string output, int exit_status = 0) : text(std::move(output)), status(exit_status) {}
 };
 
-// Runs a program: prints to stdout what body returns, all of it or nothing, and returns its exit status; 2 after a
-// UsageError, 1 after any other exception, each told in one line on stderr that begins with the program's name.
+// Prints to stdout what body returns, all of it or nothing, and returns its exit status; 2 after a UsageError, 1 after
+// any other exception, each told in one line on stderr that begins with the program's name.
 int run_program(const char* name, const std::function<Outcome()>& body);
 
 // Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.

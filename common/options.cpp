@@ -32,8 +32,7 @@ ModelOptions::ModelOptions(ModelSettings& s)
               choice_option("mean", "of the prior: ", prior_mean_names, s.prior.mean,
                             ", a uniform light of unknown radiance")},
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
-      seed{"seed", "K", "of the random numbers (default 1)",
-           [&s](const std::string& text) { s.seed = parse_seed(text); }} {}
+      seed(seed_option("of the random numbers (default 1)", s.seed)) {}
 
 void require_closed_form(const ModelSettings& settings) {
     const bool closed = settings.covariance == CovarianceFamily::sobolev && settings.smoothness == 1.5;

@@ -29,8 +29,7 @@ struct RenderOptions : ModelOptions {
     explicit RenderOptions(RenderSettings& settings);
 };
 
-// Throws UsageError for settings that no picture can be rendered by.
+// Throw UsageError for settings that no picture can be rendered by, and for those whose samples say nothing of its
+// error.
 void require_possible(const RenderSettings& settings);
-
-// The same for those whose samples say nothing of the picture's error.
 void require_predictable(const RenderSettings& settings);

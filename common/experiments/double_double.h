@@ -1,6 +1,5 @@
 // Numbers of about 32 digits, each the unevaluated sum of two doubles (Dekker, "A floating-point technique for
-// extending the available precision", Numerische Mathematik 18, 1971), for an experiment that asks how many of the 16
-// digits of a double are right.
+// extending the available precision", Numerische Mathematik 18, 1971).
 #pragma once
 
 #include "numerics/portable_math.h"
@@ -10,7 +9,7 @@
 // high + low, |low| at most half a unit in the last place of high. The error of an operation is a few 2^-104 of its
 // result. Finite numbers only, and products below 1e300, since a factor is split after a multiplication by 2^27 + 1.
 struct DoubleDouble {
-    double high = 0, low = 0;
+    double high, low;
 
     DoubleDouble(double its_high = 0, double its_low = 0) : high(its_high), low(its_low) {}
 };

@@ -31,8 +31,8 @@ std::vector<std::size_t> parse_samples(const std::string& text) {
 void set_samples(ErrorSettings& settings, const std::string& text) {
     settings.samples = parse_samples(text);
     if (settings.samples.size() > max_rows)
-        throw UsageError(std::to_string(settings.samples.size()) + " numbers are too many, at most " +
-                         std::to_string(max_rows) + " are allowed; give a range a larger STEP");
+        throw UsageError(line("%zu numbers are too many, at most %zu are allowed; give a range a larger STEP",
+                              settings.samples.size(), max_rows));
 }
 
 // Of so many errors; 0 where it is only rounding.
@@ -67,9 +67,9 @@ ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, con
 void add_rival_error(ErrorRow& row, const Integrand& integrand, ErrorSettings settings) {
     settings.mc_estimates = 1;
     settings.prior = {};
+    const SquaredExponential rival(settings.length_scale);
     try {
-        row.rival_error =
-            error_row(integrand, SquaredExponential(settings.length_scale), settings, row.samples).bmc_error;
+        row.rival_error = error_row(integrand, rival, settings, row.samples).bmc_error;
     } catch (const NotPositiveDefinite& error) {
         row.refusal = error.what();
     }

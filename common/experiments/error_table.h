@@ -5,25 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "experiments/command.h"
 #include "experiments/integrands.h"
+#include "options.h"
 
 struct ErrorSettings : ModelSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-    std::size_t mc_estimates = 100;
-    std::size_t bmc_estimates = 10;
+    std::size_t mc_estimates = 100, bmc_estimates = 10;
 };
 
-// One number of samples n: mean absolute errors of Monte Carlo, of Bayesian Monte Carlo and of that
-// with the squared-exponential covariance as a rival, and the mean standard error that the first predicts. What is less
-// than 1e-12 of the truth is rounding and counts as 0, so that a program that multiplies in another order has the same
-// row.
+// Mean absolute errors of Monte Carlo, of Bayesian Monte Carlo and of that with the squared-exponential covariance as a
+// rival, and the mean standard error that the first predicts. What is less than 1e-12 of the truth is rounding and
+// counts as 0, so that a program that multiplies in another order has the same row.
 struct ErrorRow {
     std::size_t samples;
-    double mc_error;
-    double bmc_error;
-    double bmc_predicted;
-    double rival_error;
+    double mc_error, bmc_error, bmc_predicted, rival_error;
     std::string refusal = "";  // why the rival's covariance matrix was refused; rival_error is not set then
 
     // How many times smaller the error of Bayesian Monte Carlo is.
@@ -33,11 +28,10 @@ struct ErrorRow {
     double equivalent_mc_samples() const { return static_cast<double>(samples) * gain() * gain(); }
 };
 
-// The error table of one integrand. Every estimate has a fresh set of directions; estimate e uses the same set in every
-// column, so that the columns differ by method and not by luck.
+// Every estimate has a fresh set of directions; estimate e uses the same set in every column, so that the columns
+// differ by method and not by luck.
 std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings);
 
-// The table as text.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
 
 // The practice's integrand of that name, or all of them if it is empty. Throws UsageError if there is none.

@@ -72,13 +72,14 @@ DoubleDouble squared_chord(const Vec3& a, const Vec3& b) {
     return x * x + y * y + z * z;
 }
 
-}  // namespace
-
+// The largest absolute value.
 double largest(const std::vector<double>& x) {
     double size = 0;
     for (const double element : x) size = std::max(size, std::fabs(element));
     return size;
 }
+
+}  // namespace
 
 ExactWeights::ExactWeights(const Model& model, const std::vector<Vec3>& directions) {
     const ExactCovariance exact(model);
@@ -104,14 +105,15 @@ std::vector<double> ExactWeights::residual(const std::vector<double>& weights, d
     return rounded;
 }
 
-std::optional<std::vector<double>> ExactWeights::weights(double noise, const Cholesky& cholesky) const {
-    std::vector<double> x(z_.size());
-    for (double last = HUGE_VAL;;) {
-        const std::vector<double> correction = cholesky.solve(residual(x, noise));
-        const double size = largest(correction);
-        if (!(size < last / 2)) return std::nullopt;
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
-        if (size <= 2 * DBL_EPSILON * largest(x)) return x;
-        last = size;
+double ExactWeights::error_of(std::vector<double> weights, double noise, const Cholesky& cholesky) const {
+    std::vector<double> exact(z_.size());
+    for (double size, last = HUGE_VAL;; last = size) {
+        const std::vector<double> correction = cholesky.solve(residual(exact, noise));
+        size = largest(correction);
+        if (!(size < last / 2)) return INFINITY;
+        for (std::size_t i = 0; i < exact.size(); ++i) exact[i] += correction[i];
+        if (size <= 2 * DBL_EPSILON * largest(exact)) break;
     }
+    for (std::size_t i = 0; i < exact.size(); ++i) weights[i] -= exact[i];
+    return largest(weights) / largest(exact);
 }

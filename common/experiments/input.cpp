@@ -19,15 +19,6 @@ namespace {
 
 constexpr double largest_number = 1e100;  // so that sums of squares are finite
 
-// A comma inside a word, though spaces part the words and there is no point.
-bool has_decimal_commas(const std::string& text) {
-    std::istringstream words(text);
-    bool inside = false;
-    std::size_t count = 0;
-    for (std::string word; words >> word; ++count) inside = inside || word.find(',') < word.size() - 1;
-    return inside && count > 1 && text.find('.') == std::string::npos;
-}
-
 // A line ends in LF, CR LF or CR; before the first there may be the mark of UTF-8.
 bool next_line(std::istream& in, std::string& text, std::size_t line) {
     text.clear();
@@ -42,7 +33,6 @@ bool next_line(std::istream& in, std::string& text, std::size_t line) {
 std::vector<double> numbers_of(std::string text, std::size_t line) {
     if (text.find('\0') < text.size()) fail(line, "it holds a byte 0; this is no text");
     text.erase(std::min(text.find('#'), text.size()));
-    if (has_decimal_commas(text)) fail(line, "its commas seem to be decimal ones; write points");
     std::replace(text.begin(), text.end(), ',', ' ');
     std::istringstream words(text);
     std::vector<double> numbers;

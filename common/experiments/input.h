@@ -23,6 +23,6 @@ struct InputRow {
 };
 
 // The lines, ended in LF, CR LF or CR, that hold numbers, between white space or commas; what follows a '#' is a
-// comment. Throws std::runtime_error that names the line for what is no finite number, decimal commas, a line of more
-// than 4095 characters, or more rows than max_rows; and if there is no row at all.
+// comment. Throws std::runtime_error that names the line for what is no finite number or more rows than max_rows; and
+// if there is no row at all.
 std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows);

@@ -2,6 +2,7 @@
 #include "scene/desert.h"
 
 #include <memory>
+#include <numeric>
 
 using portable::pi;
 
@@ -28,19 +29,14 @@ std::vector<Integrand> practice_integrands() {
 
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, KnownPart known) {
     std::vector<double> values;
-    values.reserve(directions.size());
     for (const Vec3& direction : directions)
         values.push_back(integrand.value(direction) / known_part(known, direction));
     return values;
 }
 
 double apply(const QuadratureRule& rule, const Integrand& integrand) {
-    double sum = 0;
-    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-        const Vec3 direction = rule.directions[i];
-        sum += rule.weights[i] * (integrand.value(direction) / known_part(rule.known, direction));
-    }
-    return sum;
+    const std::vector<double> values = sample(integrand, rule.directions, rule.known);
+    return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 
 DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e) {

@@ -17,13 +17,12 @@ struct Integrand {
     double truth;
 };
 
-// The practice's integrands: 1, cos(theta), cos(theta)^3, and the built-in environment's luminance times cos(theta)
-// above a tilted surface, whose truth is a dense quadrature.
+// The practice's integrands: 1, cos(theta), cos(theta)^3, and environment_integrand of the built-in light.
 std::vector<Integrand> practice_integrands();
 
 constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
 
-// The luminance of a light times cos(theta) above a tilted surface.
+// The luminance of a light times cos(theta) above a tilted surface; its truth is dense_quadrature.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);
 
 // The integral by 2^18 directions on the Fibonacci lattice.
@@ -36,6 +35,5 @@ std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& 
 // The rule's estimate of the integral.
 double apply(const QuadratureRule& rule, const Integrand& integrand);
 
-// The directions of estimate number e with n samples: the same in every experiment with this placement and seed, so
-// that what they compare differs by method and not by luck.
+// The directions of estimate number e with n samples: the same in every experiment with this placement and seed.
 DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e);

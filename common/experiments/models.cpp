@@ -23,27 +23,23 @@ std::vector<std::pair<Model, double>> models_and_noises() {
     return models;
 }
 
-// What is integrated in a column of the tables, over so many sets of directions, of one integrand more than of many;
-// and what comes of it by each model.
+// What is integrated in a column of the tables, over so many sets of directions, and what comes of it by each model.
 struct Column {
     std::string name;
     std::vector<Integrand> integrands;
     std::size_t sets;
     std::vector<Judged> judged;
-
-    Column(const std::string& its_name, std::vector<Integrand> its_integrands, std::size_t its_sets)
-        : name(its_name), integrands(std::move(its_integrands)), sets(its_sets) {
-        for (const auto& [model, noise] : models_and_noises())
-            judged.push_back(judge(model, noise, integrands, n, sets));
-    }
 };
 
 std::vector<Column> all_columns() {
-    std::vector<Column> columns{{"cosine", {practice_integrands()[1]}, 1000}};
+    std::vector<Column> columns{{"cosine", {practice_integrands()[1]}, 1000, {}}};
     for (const std::string& name : built_in_lights()) {
         const auto light = std::make_shared<const EnvironmentMap>(load_environment(name));
-        columns.emplace_back(name, scene_integrands(light, 100), 10);
+        columns.push_back({name, scene_integrands(light, 100), 10, {}});
     }
+    for (Column& column : columns)
+        for (const auto& [model, noise] : models_and_noises())
+            column.judged.push_back(judge(model, noise, column.integrands, n, column.sets));
     return columns;
 }
 
@@ -111,7 +107,6 @@ Integrand scene_integrand(const std::shared_ptr<const EnvironmentMap>& light, co
     return integrand;
 }
 
-// Of so many verdicts.
 double rms(const std::vector<Verdict>& verdicts, double Verdict::*error) {
     RootMeanSquare rms;
     for (const Verdict& verdict : verdicts) rms.add(verdict.*error);

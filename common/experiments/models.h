@@ -1,8 +1,8 @@
-// Which model an integrand requires: covariance, its parameter and the noise, judged by the error, which needs the
-// truth, and by the evidence and the leave-one-out error, which do not; and how honest the process's own error is.
+// Which model an integrand requires, judged by the error, which needs the truth, and by the evidence and the
+// leave-one-out error, which do not; and how honest the process's own error is.
 #pragma once
 
-#include "experiments/command.h"
+#include "command_line.h"
 #include "experiments/integrands.h"
 #include "quadrature/covariance.h"
 
@@ -23,7 +23,7 @@ struct Model {
 };
 
 // Incident luminance times cos(theta), shadows included, at so many points that pixels of the sphere scene show, drawn
-// at random: the integrals that a renderer estimates. Truths are dense quadratures.
+// at random.
 std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t points);
 
 // What a process says of one integrand from one set of samples, and how far off its estimate is.
@@ -33,8 +33,8 @@ struct Verdict {
     double leave_one_out;     // mean square of the residuals
 };
 
-// A model's verdicts on so many fresh uniform sets of n directions, on every integrand from each: in one order for all
-// models, so that verdict i of one and of another are from the same samples.
+// A model's verdicts on so many fresh uniform sets of n directions, on every integrand from each. Verdict i of one
+// model and of another are from the same samples.
 struct Judged {
     Model model;
     double noise;

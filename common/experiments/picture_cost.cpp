@@ -3,7 +3,7 @@
 #include "experiments/picture_error.h"
 #include "experiments/statistics.h"
 #include "experiments/stopwatch.h"
-#include "scene/pilot.h"
+#include "scene/predicted_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,28 +35,15 @@ RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std:
     return settings;
 }
 
-// What pictures are compared with.
-Truth truth_for(const Light& light, const CostSettings& costs) {
-    return dense_truth(light, sized_as(costs, {}, 0), 10000);
-}
-
-// Seconds of one rendering on one core, the best of a few.
-double fastest_render(const Light& light, const RenderSettings& settings) {
-    double fastest = HUGE_VAL;
-    for (int run = 0; run < 4; ++run)
-        fastest = std::min(fastest, seconds_of([&] { render(sphere_scene(), light, settings); }));
-    return fastest;
-}
-
-// The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time,
-// which is that of a picture large enough for the clock, whatever the size of the others.
+// The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time.
 double seconds_per_megapixel(const Light& light, RenderSettings settings) {
     constexpr int size = 64;
+    const auto seconds_at = [&](int side) {
+        settings.width = settings.height = side;
+        return seconds_of([&] { render(sphere_scene(), light, settings); });
+    };
     settings.threads = 1;
-    settings.width = settings.height = size;
-    const double whole = fastest_render(light, settings);
-    settings.width = settings.height = 1;
-    const double rules = fastest_render(light, settings);
+    const double whole = seconds_at(size), rules = seconds_at(1);
     return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(sphere_scene(), size, size);
 }
 
@@ -91,7 +78,6 @@ PictureCost picture_cost(const Light& light, RenderSettings settings, const Trut
             within,   correlation,  brightness.value(),    0};
 }
 
-// The first columns of every row.
 std::string name_columns(const RenderSettings& s) {
     return line("%-8s %5zu %-16s %-7s %-7s", name_of(s.method, method_names), s.pool,
                 name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
@@ -122,21 +108,10 @@ std::vector<RenderSettings> main_settings() {
 }
 
 std::vector<RenderSettings> all_settings() {
-    std::vector<RenderSettings> list;
-    for (const Method method : {Method::mc, Method::direct, Method::single, Method::rotated})
-        for (const Placement placement : {uniform, fibonacci}) list.push_back(settings_of(method, 1, placement));
-    for (const std::size_t pool : {1u, 2u, 5u, 20u})
-        for (const Placement placement : {uniform, fibonacci})
-            list.push_back(settings_of(Method::pool, pool, placement));
-    for (const Placement placement : {cosine, cosine_fibonacci}) list.push_back(settings_of(Method::mc, 1, placement));
-    for (const Placement placement : {uniform, fibonacci})
-        list.push_back(settings_of(Method::pool, 20, placement, uniform_mean));
-    for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform})
-        for (const Placement placement : {uniform, cosine, cosine_fibonacci})
-            list.push_back(settings_of(Method::pool, 20, placement, {KnownPart::cosine, mean}));
-    for (const Placement placement : {uniform, cosine_fibonacci}) {
-        list.push_back(settings_of(Method::mc, 1, placement, known_light));
-        list.push_back(settings_of(Method::pool, 20, placement, known_light));
+    std::vector<RenderSettings> list = main_settings();
+    for (const Placement placement : {cosine, cosine_fibonacci}) {
+        list.push_back(settings_of(Method::mc, 1, placement));
+        list.push_back(settings_of(Method::pool, 20, placement, {KnownPart::cosine, PriorMean::uniform}));
     }
     return list;
 }
@@ -145,7 +120,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
     const Light light(environment);
-    const Truth truth = truth_for(light, costs);
+    const Truth truth = dense_truth(light, sized_as(costs, {}, 0), 10000);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
@@ -196,30 +171,5 @@ std::string paired_table(const std::vector<PictureCost>& rows, bool timed) {
             line(" %14.4f", rows[i + 1].correlation) + prediction_columns(rows[i]) + prediction_columns(rows[i + 1]);
         text += (timed ? line(" %12.3g", rows[i + 1].seconds_per_megapixel) : "") + '\n';
     }
-    return text;
-}
-
-std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs) {
-    constexpr std::size_t most = 512;
-    const Light light(environment);
-    const Truth truth = truth_for(light, costs);
-    std::string text = "# method  pool placement        known   mean        asked samples rmse/asked\n";
-    for (const RenderSettings& asked :
-         {settings_of(Method::pool, 20, uniform), settings_of(Method::pool, 20, cosine_fibonacci, known_cosine),
-          settings_of(Method::pool, 20, cosine_fibonacci, known_light)})
-        for (const double target : {0.02, 0.01, 0.005, 0.0025}) {
-            RenderSettings settings = sized_as(costs, asked, most);
-            text += name_columns(settings) + line(" %10g", target);
-            try {
-                settings.samples = samples_for(target, most, sphere_scene(), light, settings).samples;
-            } catch (const std::runtime_error&) {
-                text += "       -          -\n";
-                break;
-            }
-            RootMeanSquare rmse;
-            for (const std::uint64_t last = settings.seed + 4; settings.seed != last; ++settings.seed)
-                rmse.add(image_error(render(sphere_scene(), light, settings), truth).rmse);
-            text += line(" %7zu %10.2f\n", settings.samples, rmse.value() / target);
-        }
     return text;
 }

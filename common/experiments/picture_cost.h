@@ -1,8 +1,7 @@
-// What the accuracy of a picture costs: the sphere scene by every method against a dense quadrature. Errors are
-// functions of the arguments; seconds are measured and differ from run to run.
+// What the accuracy of a picture costs: the sphere scene by every method against a dense quadrature.
 #pragma once
 
-#include "experiments/command.h"
+#include "command_line.h"
 #include "scene/render.h"
 
 #include <string>
@@ -14,8 +13,7 @@ struct CostSettings {
     bool timed = true;
 };
 
-// One method: errors over several seeds, as many as make them the method's and not the seed's. A method that shares
-// rules between pixels has as many independent rules as seeds, not as pixels.
+// Errors over several seeds: a method that shares rules between pixels has as many rules as seeds, not as pixels.
 struct PictureCost {
     RenderSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
@@ -26,9 +24,8 @@ struct PictureCost {
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
 };
 
-// The settings that are compared, numbers of samples apart: those that README tells of; and mc, direct, single, rotated
-// and pools of 1, 2, 5 and 20 on uniform and Fibonacci directions, then mc on cosine-distributed directions and pools
-// of 20 for every prior on the directions that suit it, and last with the light known.
+// The settings that are compared, numbers of samples apart: those that README's tables tell of, classic Monte Carlo
+// first; and with those that its figure shows besides.
 std::vector<RenderSettings> main_settings();
 std::vector<RenderSettings> all_settings();
 
@@ -38,13 +35,8 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress = nullptr);
 
-// A row for each picture; the first settings are those of classic Monte Carlo.
+// A row for each picture; the first settings are classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
 
 // A row for two pictures, which differ by their numbers of samples; the seconds are those of the second.
 std::string paired_table(const std::vector<PictureCost>& rows, bool timed);
-
-// What comes of asking for an RMSE (scene/pilot.h): the samples that are chosen, and the RMSE of the pictures of four
-// seeds over what was asked. A row for each of four RMSEs and for a pool of every known part, down to the first that
-// 512 samples do not have.
-std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs);

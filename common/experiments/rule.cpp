@@ -45,7 +45,7 @@ std::string rule_report(const GaussianProcess& process, KnownPart known, const s
         text +=
             line("%9.6f %9.6f %9.6f %12.9g %12.6g\n", direction.x, direction.y, direction.z, process.z()[i], weight);
         sum += weight;
-        negative += weight < 0 ? 1 : 0;
+        negative += weight < 0;
     }
     const bool cosine = known == KnownPart::cosine;
     text += line("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
@@ -55,10 +55,6 @@ std::string rule_report(const GaussianProcess& process, KnownPart known, const s
                      cosine ? " times cos(theta)" : "", process.integral(values), process.amplitude(values),
                      process.standard_error(values));
     return text;
-}
-
-std::string matrices_report(const Matrix& covariance, const Matrix& inverse) {
-    return matrix_block("Q", symmetric(covariance)) + matrix_block("Q^-1", inverse);
 }
 
 std::vector<Option> Rule::options() {
@@ -86,6 +82,6 @@ std::string Rule::report() const {
     const GaussianProcess process(*covariance, settings.noise, given.directions, settings.prior);
     const std::string text = rule_report(process, settings.prior.known, given.values);
     if (!matrices) return text;
-    return text + matrices_report(covariance_matrix(*covariance, settings.noise, given.directions),
-                                  process.inverse_covariance());
+    return text + matrix_block("Q", symmetric(covariance_matrix(*covariance, settings.noise, given.directions))) +
+           matrix_block("Q^-1", process.inverse_covariance());
 }

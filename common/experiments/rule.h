@@ -1,10 +1,9 @@
-// A rule of Bayesian Monte Carlo, number by number: on directions that are drawn, or on directions and with values that
-// another program wrote.
+// A rule of Bayesian Monte Carlo, number by number, on directions that are drawn or that another program wrote.
 #pragma once
 
 #include "numerics/portable_math.h"
 
-#include "experiments/command.h"
+#include "options.h"
 #include "quadrature/quadrature.h"
 
 #include <iosfwd>
@@ -23,9 +22,6 @@ Samples read_samples(std::istream& in);
 // Directions, z and weights; how well the weights integrate the one integrand that every rule should; with values their
 // integral, amplitude and standard error.
 std::string rule_report(const GaussianProcess& process, KnownPart known, const std::vector<double>& values = {});
-
-// Q, given by its upper triangle, and Q^-1, each a block of rows after two empty lines.
-std::string matrices_report(const Matrix& covariance, const Matrix& inverse);
 
 struct Rule {
     std::size_t samples = 40;

@@ -1,9 +1,9 @@
-// Where the arithmetic of a Gaussian process breaks: condition numbers and residuals over the extremes of the number of
-// samples, the noise, the covariance and the sample set.
+// Where the arithmetic of a Gaussian process breaks: how many digits of its weights are right at the extremes of the
+// number of samples, the noise, the covariance and the sample set.
 #pragma once
 
+#include "command_line.h"
 #include "experiments/models.h"
-#include "numerics/cholesky.h"
 
 #include <string>
 #include <vector>
@@ -19,28 +19,14 @@ constexpr std::pair<const char*, SampleSet> sample_set_names[] = {{"random", Sam
 // of one direction.
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 
-// What LAPACK's test programs look at: residuals divided by what backward stable arithmetic leaves, so that a few at
-// most are right whatever the condition number (LAPACK accepts up to 30).
-struct Residuals {
-    double factor = 0;     // |A - L L^T| / (n eps |A|)
-    double inverse = 0;    // |I - A A^-1| / (n eps |A| |A^-1|)
-    double condition = 0;  // |A| |A^-1|; all norms are row_sum_norm
-};
-
-// The residuals of a factored symmetric n x n matrix.
-Residuals residuals_of(const Matrix& a, const Cholesky& cholesky, const Matrix& inverse);
-
 struct StabilityRow {
     SampleSet set;
     std::size_t samples;
     Model model;
     double noise;
-    std::string refusal = "";     // why the covariance matrix was refused; then the numbers below are 0
-    Residuals residuals{};        // of up to 1000 samples: the inverse of more takes long
-    double weight_error = 0;      // of the weights by solve, over the largest; infinite if no digit is right
-    double inverse_error = 0;     // of the weights by inverse, of up to 1000 samples
-    double absolute_weights = 0;  // sum of |w|
-    double cosine_error = 0;      // of the estimate of the integral of cos(theta)
+    bool refused = false;     // the covariance matrix; then the numbers below are 0
+    double weight_error = 0;  // the largest, over the largest weight; infinite if no digit is right
+    double condition = 0;     // |Q| |Q^-1| by row_sum_norm, of up to 1000 samples: the inverse of more takes long
 };
 
 // A row for each noise. The errors of the weights are those from the directions on: covariances, z, factor and
@@ -48,8 +34,6 @@ struct StabilityRow {
 std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& model, const std::vector<double>& noises);
 
 struct Stability {
-    bool all = false;
-
-    std::vector<Option> options();
+    std::vector<Option> options() { return {}; }
     std::string report() const;
 };

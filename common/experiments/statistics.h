@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-// By the updates of Welford, "Note on a method for calculating corrected sums of squares and products" (Technometrics
-// 1962).
+// Welford, "Note on a method for calculating corrected sums of squares and products", Technometrics 1962.
 struct Statistics {
     double count = 0, mean = 0;
     double squares = 0;  // sum of the squared differences from the mean

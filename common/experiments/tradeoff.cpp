@@ -1,9 +1,71 @@
 #include "experiments/tradeoff.h"
 
-#include "experiments/integral_cost.h"
+#include "experiments/statistics.h"
+#include "experiments/stopwatch.h"
+#include "quadrature/gaussian_process.h"
 #include "scene/desert.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 namespace {
+
+constexpr const char* stages[] = {"drawing directions", "building Q", "factoring Q", "computing z",
+                                  "solving for the weights"};
+
+std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
+    const Sobolev covariance;
+    const double noise = ModelSettings().noise;
+    Random random(1, n);
+    const std::vector<Vec3> directions = uniform_directions(n, random);
+    const Matrix q = covariance_matrix(covariance, noise, directions);
+    const Cholesky cholesky(q);
+    const std::vector<double> z = hemisphere_integrals(covariance, directions);
+    const QuadratureRule rule{directions, cholesky.solve(z)};
+    const std::function<double()> actions[] = {[&] { return uniform_directions(n, random).back().x; },
+                                               [&] { return covariance_matrix(covariance, noise, directions)(0, 0); },
+                                               [&] { return Cholesky(q).upper()(0, 0); },
+                                               [&] { return hemisphere_integrals(covariance, directions).back(); },
+                                               [&] { return cholesky.solve(z).back(); },
+                                               [&] { return apply(rule, integrand); }};
+    volatile double sink = 0;  // keeps the results, so that no stage is optimised away
+    std::vector<double> seconds;
+    for (const auto& action : actions) seconds.push_back(seconds_of([&] { sink = action(); }));
+    return seconds;
+}
+
+// Of one uniform sample, times 2 pi.
+double standard_deviation(const Integrand& integrand) {
+    const Integrand square{"", "", [&](Vec3 w) { return integrand.value(w) * integrand.value(w); }, 0};
+    return std::sqrt(2 * portable::pi * dense_quadrature(square) - integrand.truth * integrand.truth);
+}
+
+std::string costly_operation(const IntegralCost& row) {
+    const auto most = std::max_element(row.seconds.begin(), row.seconds.end() - 1);
+    return line("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples,
+                stages[most - row.seconds.begin()], 100 * *most / row.rule_seconds());
+}
+
+// Where the rows are timed, with the stage that takes most.
+std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
+    std::string text =
+        "# Root mean square errors; mc_samples: samples with which Monte Carlo has the error of Bayesian "
+        "Monte Carlo.\n";
+    if (timed)
+        text +=
+            "# Measured here: microseconds of each stage, and the integrals after which a rule made once has cost\n"
+            "# less time than Monte Carlo at equal error.\n";
+    text += line("# samples      mc_rmse     bmc_rmse   +-bmc_rmse   mc_samples%s\n",
+                 timed ? "    draw_us       Q_us  factor_us       z_us weights_us  estim._us    pay_off" : "");
+    for (const IntegralCost& row : rows) {
+        text += line("%9zu %12.3g %12.3g %12.2g %12.3g", row.samples, row.mc_error, row.bmc_error, row.bmc_error_error,
+                     row.equivalent_mc_samples());
+        for (const double seconds : row.seconds) text += line(" %10.3g", 1e6 * seconds);
+        text += timed ? line(" %10.3g\n", row.integrals_to_pay_off()) : "\n";
+    }
+    return timed ? text + costly_operation(rows.front()) + costly_operation(rows.back()) : text;
+}
 
 const char* const meaning =
     "# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its\n"
@@ -16,14 +78,42 @@ const char* const measured =
 
 }  // namespace
 
+double IntegralCost::rule_seconds() const { return std::accumulate(seconds.begin(), seconds.end() - 1, 0.0); }
+
+double IntegralCost::equivalent_mc_samples() const {
+    const double ratio = mc_error / bmc_error;
+    return static_cast<double>(samples) * ratio * ratio;
+}
+
+double IntegralCost::integrals_to_pay_off() const {
+    const double mc_sample = (seconds.front() + seconds.back()) / static_cast<double>(samples);
+    return rule_seconds() / (equivalent_mc_samples() * mc_sample - seconds.back());
+}
+
+std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed) {
+    const Sobolev covariance;
+    ModelSettings settings;
+    settings.seed = seed;
+    const double deviation = standard_deviation(integrand);
+    std::vector<IntegralCost> rows;
+    for (const std::size_t n : {10u, 20u, 50u, 100u, 200u, 500u}) {
+        RootMeanSquare error;
+        for (std::size_t set = 0; set < std::clamp<std::size_t>(20000 / n, 50, 1000); ++set) {
+            const std::vector<Vec3> directions = estimate_directions(settings, n, set).directions;
+            error.add(apply(bayesian_rule(covariance, settings.noise, directions), integrand) - integrand.truth);
+        }
+        rows.push_back({n, deviation / std::sqrt(static_cast<double>(n)), error.value(), error.standard_error(), {}});
+        if (timed) rows.back().seconds = stage_seconds(integrand, n);
+    }
+    return rows;
+}
+
 std::vector<Option> Tradeoff::options() {
     return {name_option("environment", "FILE", std::string(environment_help) + " (default: each built-in light)",
                         environment),
             count_option("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 1024, 2),
-            {"seed", "K", "other random numbers for other K (default 1)",
-             [this](const std::string& text) { costs.seed = parse_seed(text); }},
-            {"all", "",
-             "every setting with 10 to 160 samples, and what --rmse gives, under one light (default: the desert)",
+            seed_option("other random numbers for other K (default 1)", costs.seed),
+            {"all", "", "more settings, with 10 to 160 samples, under one light (default: the desert)",
              [this](const std::string&) { all = true; }},
             {"no-times", "", "leave out what is measured and differs from run to run",
              [this](const std::string&) { costs.timed = false; }}};
@@ -47,10 +137,6 @@ std::string Tradeoff::report() const {
         text +=
             all ? picture_table(picture_costs(*light, all_settings(), {10, 20, 40, 80, 160}, costs, share), costs.timed)
                 : paired_table(picture_costs(*light, main_settings(), {10, 40}, costs, share), costs.timed);
-        if (all)
-            text +=
-                "\n\n# Samples that ./renderer --rmse takes for what is asked, and what 4 pictures with them have.\n" +
-                asked_table(*light, costs);
     }
     return text;
 }

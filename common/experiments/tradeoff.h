@@ -1,7 +1,30 @@
-// What accuracy costs: of an integral, and of a picture under each of the built-in lights.
+// What accuracy costs: of an integral, its errors against samples and the seconds of each stage of a rule; and of a
+// picture under each of the built-in lights.
 #pragma once
 
+#include "experiments/integrands.h"
 #include "experiments/picture_cost.h"
+
+struct IntegralCost {
+    std::size_t samples;
+    double mc_error;                    // root mean square, from the variance of the integrand
+    double bmc_error, bmc_error_error;  // root mean square over fresh sets, and its standard error
+
+    // Of each stage: directions, Q, its factor, z, the weights; then of an estimate. Empty unless timed.
+    std::vector<double> seconds;
+
+    double rule_seconds() const;
+
+    // Samples with which Monte Carlo would have the error of Bayesian Monte Carlo.
+    double equivalent_mc_samples() const;
+
+    // Integrals after which a rule made once has cost less time than Monte Carlo at equal error; an estimate of Monte
+    // Carlo draws its directions afresh.
+    double integrals_to_pay_off() const;
+};
+
+// Sobolev 3/2, noise 0.01, on the integrand.
+std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed);
 
 struct Tradeoff {
     std::string environment;  // empty: the built-in lights

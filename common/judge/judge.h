@@ -3,7 +3,7 @@
 
 #include "numerics/portable_math.h"
 
-#include "experiments/command.h"
+#include "options.h"
 
 struct Judge {
     std::string file;         // the picture or table; "-": standard input

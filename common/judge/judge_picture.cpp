@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/command.h"
+#include "command_line.h"
 #include "judge/likely_mistakes.h"
 #include "judge/mistaken_pictures.h"
 
@@ -19,19 +19,13 @@ constexpr std::size_t dense_samples = 2000;
 constexpr std::uint64_t first_seed = 1000000;
 constexpr std::size_t seeds = 40;
 
-// What a picture shows where it shows no object: the environment, without noise, so it tells how a program writes
-// codes. Of floats, 128 values to the largest channel of a pixel count as codes: radiance in a Radiance picture has no
-// more.
+// What a picture shows where it shows no object: the environment, without noise. Of floats, 128 values to the largest
+// channel of a pixel count as codes: radiance in a Radiance picture has no more.
 struct Background {
     double differing;  // fraction of the pixels with a code off by more than 1.5
     double accepted;   // of that fraction
     double offset;     // mean of what the others lack: 1/2 where a program rounds down; 0 for floats
 };
-
-// What a channel lacks, in codes.
-double missing_codes(double here, double right, double largest, int maxval) {
-    return maxval > 0 ? maxval * (srgb_encoded(right) - srgb_encoded(here)) : 128 * (right - here) / largest;
-}
 
 Background background_beside(const Truth& expected, const PictureFile& picture) {
     const int maxval = picture.maxval;
@@ -43,7 +37,8 @@ Background background_beside(const Truth& expected, const PictureFile& picture) 
             const double largest = std::max({right.x, right.y, right.z, 1e-6});
             bool differs = false;
             for (const auto& [a, b] : {std::pair(here.x, right.x), {here.y, right.y}, {here.z, right.z}}) {
-                const double missing = missing_codes(a, b, largest, maxval);
+                const double missing =
+                    maxval > 0 ? maxval * (srgb_encoded(b) - srgb_encoded(a)) : 128 * (b - a) / largest;
                 differs = differs || !(std::fabs(missing) <= 1.5);
                 if (std::fabs(missing) > 1.5 || b >= 1) continue;
                 lacking += missing;
@@ -93,7 +88,7 @@ std::vector<Numbers> correct_numbers(RenderSettings settings, const Light& light
     return numbers;
 }
 
-// Whether all pixels share one rule: a picture is then one sample.
+// A picture is then one sample.
 bool shares_one_rule(const RenderSettings& settings) {
     return settings.method == Method::single || settings.method == Method::rotated ||
            (settings.method == Method::mc && is_lattice(settings.placement));

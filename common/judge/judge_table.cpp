@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/command.h"
+#include "command_line.h"
 #include "experiments/statistics.h"
 #include "judge/likely_mistakes.h"
 
@@ -11,11 +11,8 @@ namespace {
 
 constexpr std::size_t most_samples = 1000;
 
-// Of correct programs' conventions and of the digits that a table prints.
-constexpr double least_spread = 0.02;
-
-// What a correct estimate may differ from an error of 0 by: rounding.
-constexpr double rounding = 1e-6;
+constexpr double least_spread = 0.02;  // of correct programs' conventions and of the digits that a table prints
+constexpr double rounding = 1e-6;      // what a correct estimate may differ from an error of 0 by
 
 std::size_t samples_of(const InputRow& row) {
     if (row.numbers.size() < 3)
@@ -121,9 +118,6 @@ TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& i
         if (std::count(judgement.samples.begin(), judgement.samples.end(), n) > 0)
             fail(row.line, line("%zu samples a second time; leave one table in the file", n));
         judgement.samples.push_back(n);
-    }
-    for (const InputRow& row : rows) {
-        const auto n = static_cast<std::size_t>(row.numbers[0]);
         // Few where Q is large: the time grows as n^3.
         const std::size_t estimates = std::clamp<std::size_t>(100000 / n, 100, 1000);
         Statistics mc, bmc;
@@ -151,9 +145,6 @@ std::string table_report(const TableJudgement& judgement) {
     text += column_report(judgement.mc, judgement.truth) + column_report(judgement.bmc, judgement.truth);
     if (!judgement.fits() && fits_if_exchanged(judgement)) text += "#   Likely: the columns are exchanged.\n";
     if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
-    return text + "# Verdict: not what correct programs do, by " +
-           (judgement.mc.fits()    ? "BMC"
-            : judgement.bmc.fits() ? "MC"
-                                   : "MC and BMC") +
-           ".\n";
+    const char* const outside = judgement.mc.fits() ? "BMC" : judgement.bmc.fits() ? "MC" : "MC and BMC";
+    return text + "# Verdict: not what correct programs do, by " + outside + ".\n";
 }

@@ -24,13 +24,11 @@ struct Column {
     std::size_t estimates;  // that each cell is the mean of
     std::vector<Cell> cells;
 
+    // And how far that of a correct column may be from 1, as a factor.
     double mean_ratio() const;
-
-    // How far the mean ratio of a correct column may be from 1, as a factor.
     double accepted_factor() const;
 
-    // Root mean square over the cells of the deviation from the expected, in spreads: about 1 for correct cells; and
-    // the most that is accepted.
+    // Root mean square of the cells' deviations, in spreads: about 1 for correct cells; and the most that is accepted.
     double scatter() const;
     double accepted_scatter() const;
 
@@ -50,5 +48,4 @@ struct TableJudgement {
 TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& integrand,
                            const ModelSettings& settings);
 
-// The judgement as text, to the verdict.
 std::string table_report(const TableJudgement& judgement);

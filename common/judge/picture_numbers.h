@@ -1,8 +1,5 @@
 // What a picture differs from the truth by, in numbers that correct pictures have alike whatever their random numbers
-// are, and how far such numbers may be from theirs.
-//
-// A method that shares rules between pixels errs alike in many of them, so what one picture may differ by is the spread
-// over seeds, not over pixels.
+// are, and how far such numbers may be from theirs: a spread over seeds, since pixels that share rules err alike.
 #pragma once
 
 #include "numerics/portable_math.h"
@@ -32,7 +29,6 @@ struct BlockError {
 };
 BlockError largest_block_error(const Image& picture, const Truth& truth);
 
-// Of a picture of the truth's size.
 Numbers numbers_of(const Image& picture, const Truth& truth);
 
 // A number of a picture, the mean and the standard deviation of correct pictures', and the range that is accepted.
@@ -43,8 +39,7 @@ struct Quantity {
     bool fits() const { return here >= low && here <= high; }
 };
 
-// Standard deviations that a number may be away from the mean, for a correct picture to be called wrong once in
-// thousands; of a lag, of which there are many, more.
+// Standard deviations that a number may be away from the mean; of a lag, of which there are many, more.
 struct Accepted {
     double deviations, of_lag;
 };

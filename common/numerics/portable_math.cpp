@@ -27,8 +27,7 @@ double leading_bits(double x) {
 
 // The unevaluated sum hi + lo of two doubles, which holds more digits than one.
 struct Sum {
-    double hi;
-    double lo;
+    double hi, lo;
 };
 
 // a + b without error, if a = 0 or the binary exponent of a is at least that of b (Dekker, "A floating-point technique
@@ -40,10 +39,8 @@ Sum fast_two_sum(double a, double b) {
 
 // a * b, relative error below 2^-75: the product of 26 bits by 26 is exact, and the rest is 2^-24 of it.
 Sum product(const Sum& a, const Sum& b) {
-    const double a_hi = leading_bits<26>(a.hi);
-    const double b_hi = leading_bits<26>(b.hi);
-    const double a_lo = (a.hi - a_hi) + a.lo;
-    const double b_lo = (b.hi - b_hi) + b.lo;
+    const double a_hi = leading_bits<26>(a.hi), a_lo = (a.hi - a_hi) + a.lo;
+    const double b_hi = leading_bits<26>(b.hi), b_lo = (b.hi - b_hi) + b.lo;
     return {a_hi * b_hi, a_hi * b_lo + a_lo * (b_hi + b_lo)};
 }
 
@@ -65,16 +62,14 @@ double exp_of_sum(double hi, double lo) {
     const double mantissa = linear.hi + (linear.lo + (r.lo * linear.hi + tail));
 
     // Two steps, since 2^k alone can be too small or too large for a double although the result is not.
-    const int exponent = static_cast<int>(k);
-    const int half = exponent / 2;
+    const int exponent = static_cast<int>(k), half = exponent / 2;
     return mantissa * power_of_two(half) * power_of_two(exponent - half);
 }
 
 // x = 2^exponent * significand with lower_bound <= significand < 2 lower_bound, for finite x > 0 and a lower bound in
 // [1/2, 1].
 struct Decomposition {
-    double exponent;
-    double significand;
+    double exponent, significand;
 };
 
 Decomposition decompose(double x, double lower_bound) {
@@ -102,15 +97,11 @@ Sum three_halves_log(double x) {
     const double c = centre[nearest];
 
     // The remainder of the division is exact, since s_hi has 17 bits and denominator_hi 26.
-    const double inverse = 1 / (m + c);
-    const double s = (m - c) * inverse;
-    const double s_hi = leading_bits<17>(s);
-    const double denominator_hi = leading_bits<26>(m + c);
-    const double denominator_lo = m - (denominator_hi - c);
+    const double inverse = 1 / (m + c), s = (m - c) * inverse, s_hi = leading_bits<17>(s);
+    const double denominator_hi = leading_bits<26>(m + c), denominator_lo = m - (denominator_hi - c);
     const double s_lo = (((m - c) - s_hi * denominator_hi) - s_hi * denominator_lo) * inverse;
 
-    const double z = s * s;
-    const double fourth = z * z;
+    const double z = s * s, fourth = z * z;
     const double tail = s * fourth * (polynomial(even, fourth) + z * polynomial(odd, fourth));
     const double cube_lo = s_lo * (3 * s_hi * s + s_lo * s_lo);  // s^3 - s_hi^3
 
@@ -133,12 +124,9 @@ double log(double x) {
     constexpr double even[] = {2.0 / 3, 2.0 / 7, 2.0 / 11, 2.0 / 15, 2.0 / 19};
     constexpr double odd[] = {2.0 / 5, 2.0 / 9, 2.0 / 13, 2.0 / 17, 2.0 / 21};
     const auto [k, m] = decompose(x, 0x1.6a09e667f3bcdp-1);  // sqrt(1/2)
-    const double f = m - 1;
-    const double s = f / (2 + f);
-    const double z = s * s;
-    const double fourth = z * z;
+    const double f = m - 1, half_square = 0.5 * f * f;
+    const double s = f / (2 + f), z = s * s, fourth = z * z;
     const double R = z * (polynomial(even, fourth) + z * polynomial(odd, fourth));
-    const double half_square = 0.5 * f * f;
     return k * ln2_hi + (f - (half_square - (s * (half_square + R) + k * ln2_lo)));
 }
 
@@ -160,12 +148,10 @@ SineCosine sincos_turns(double turns) {
         1.0 / 24,        -1.0 / 720,         1.0 / 40320,          -1.0 / 3628800,
         1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
     // 2 pi = two_pi_hi + two_pi_lo; two_pi_hi has 26 bits.
-    constexpr double two_pi_hi = 0x1.921fb5p+2;
-    constexpr double two_pi_lo = 0x1.110b4611a6263p-24;
+    constexpr double two_pi_hi = 0x1.921fb5p+2, two_pi_lo = 0x1.110b4611a6263p-24;
 
-    double fraction = turns;
-    if (!(std::fabs(turns) < 1))
-        fraction = turns - std::floor(turns);  // exact; not so for small negative numbers, hence the condition
+    // Exact; it would not be so for small negative numbers.
+    const double fraction = std::fabs(turns) < 1 ? turns : turns - std::floor(turns);
     if (fraction != fraction) return {nan, nan};
     // Octants 2q - 1 and 2q belong to quadrant q. Rounding 4 * fraction instead would err beside the odd eighths.
     const int octant = static_cast<int>(std::floor(8 * fraction)) + 8;
@@ -189,29 +175,18 @@ SineCosine sincos_turns(double turns) {
 #ifdef UNGUARDED_ARITHMETIC
 void check_arithmetic() {}
 #else
-namespace {
-
-void require(bool holds, const std::string& found, const std::string& remedy) {
+static void require(bool holds, const std::string& found, const std::string& remedy) {
     if (!holds) throw std::runtime_error("the output would differ from the references: " + found + "; " + remedy);
 }
 
-}  // namespace
-
 // The operands are volatile so that the compiler cannot compute the answers itself, by its own rules.
 void check_arithmetic() {
-    volatile double one = 1;
-    volatile double minus_one = -1;
-    volatile double above_one = 1 + 0x1p-30;
-    volatile double below_one = 1 - 0x1p-30;
-    volatile double quarter_ulp = 0x1p-54;
-    volatile double three_quarter_ulp = 3 * 0x1p-54;
-    volatile double smallest_normal = DBL_MIN;
-    volatile double smallest_subnormal = 0x1p-1074;
-    volatile double half = 0.5;
-    volatile double huge = 0x1p1023;
+    volatile double one = 1, minus_one = -1, half = 0.5, huge = 0x1p1023;
+    volatile double above_one = 1 + 0x1p-30, below_one = 1 - 0x1p-30;
+    volatile double quarter_ulp = 0x1p-54, three_quarter_ulp = 3 * 0x1p-54;
+    volatile double smallest_normal = DBL_MIN, smallest_subnormal = 0x1p-1074;
 
-    const double rounded_up = one + quarter_ulp;
-    const double rounded_down = one + three_quarter_ulp;
+    const double rounded_up = one + quarter_ulp, rounded_down = one + three_quarter_ulp;
     require(rounded_up == 1 && rounded_down == 1 + DBL_EPSILON, "the rounding mode is not to nearest",
             "restore it with fesetround(FE_TONEAREST)");
 

@@ -1,12 +1,11 @@
 // Elementary functions that give the same bits on every machine, and the guards that keep them.
 //
-// libm's exp, log, pow, sin differ between libraries and even between processors running one binary, so nothing that
-// decides a byte of output may call them. The functions here use + - * / floor and integer operations only, which IEEE
-// 754 defines to the last bit. Every other file includes this header first, so that its guards hold there.
+// libm's exp, log, pow, sin differ between libraries and even between processors running one binary. The functions here
+// use + - * / floor and integers only, which IEEE 754 defines to the last bit. Every other file includes this header
+// first, so that its guards hold there.
 #pragma once
 
-// The guards. UNGUARDED_ARITHMETIC switches all of them off, for one purpose: a portability check has to see that other
-// arithmetic (-march=native -ffp-contract=fast) does change the output. Never define it in a build whose output counts.
+// Switched off for one purpose: a portability check has to see that other arithmetic does change the output.
 #ifndef UNGUARDED_ARITHMETIC
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
@@ -15,8 +14,8 @@
 #endif
 
 // Compilers contract a * b + c to one fused operation where the processor has it, which rounds once instead of twice.
-// The Makefile says -ffp-contract=off; these lines say it again to whoever compiles without the Makefile. (clang
-// disregards them if the command line says -ffp-contract=fast; check_arithmetic() refuses to run then.)
+// These lines are for whoever compiles without the Makefile. (clang disregards them if the command line says
+// -ffp-contract=fast; check_arithmetic() refuses to run then.)
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
@@ -74,8 +73,7 @@ double pow(double x, double y);
 // Error at most 1 ulp each; multiples of a quarter turn give exactly 0 (of either sign) and +-1. Domain: any finite
 // number; an infinity or nan gives two nan.
 struct SineCosine {
-    double sine;
-    double cosine;
+    double sine, cosine;
 };
 SineCosine sincos_turns(double turns);
 

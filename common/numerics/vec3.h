@@ -18,7 +18,6 @@ inline Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
 inline Color operator*(Color a, Color b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // channel by channel
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline double squared_distance(Vec3 a, Vec3 b) { return dot(a - b, a - b); }
 inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
 

@@ -93,12 +93,15 @@ void require_no_known_part(KnownPart known) {
 
 }  // namespace
 
-void Covariance::covariances(double* squared_chords, std::size_t count) const {
-    for (std::size_t i = 0; i < count; ++i) squared_chords[i] = (*this)(squared_chords[i]);
+double Covariance::operator()(double squared_chord) const {
+    covariances(&squared_chord, 1);
+    return squared_chord;
 }
 
-void Covariance::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
-    for (double& element : cos_thetas) element = hemisphere_integral(element, known);
+double Covariance::hemisphere_integral(double cos_theta, KnownPart known) const {
+    std::vector<double> one{cos_theta};
+    hemisphere_integrals(one, known);
+    return one[0];
 }
 
 Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
@@ -112,13 +115,12 @@ Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
     double_integral_ = 2 * pi * z_pole - 4 * pi * pi * two_p * (mean_sine_power(exponent_) - 1) / smoothness;
 }
 
-double Sobolev::operator()(double squared_chord) const {
-    return constant_ - (has_closed_form() ? std::sqrt(squared_chord) : portable::pow(squared_chord, exponent_));
-}
-
 void Sobolev::covariances(double* squared_chords, std::size_t count) const {
-    if (!has_closed_form()) return Covariance::covariances(squared_chords, count);
-    for (std::size_t i = 0; i < count; ++i) squared_chords[i] = constant_ - std::sqrt(squared_chords[i]);
+    if (has_closed_form())
+        for (std::size_t i = 0; i < count; ++i) squared_chords[i] = constant_ - std::sqrt(squared_chords[i]);
+    else
+        for (std::size_t i = 0; i < count; ++i)
+            squared_chords[i] = constant_ - portable::pow(squared_chords[i], exponent_);
 }
 
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of
@@ -137,12 +139,6 @@ void Sobolev::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart kn
         for (double& element : cos_thetas) element = whole - factor * rim_sum(element);
 }
 
-double Sobolev::hemisphere_integral(double cos_theta, KnownPart known) const {
-    std::vector<double> one{cos_theta};
-    hemisphere_integrals(one, known);
-    return one[0];
-}
-
 // I for any s. With tan(E / 2) = q y, y = e^u, the integrand is analytic in |Im u| < pi/2 whatever q is, so one step of
 // the trapezoidal rule in u suits every elevation.
 double Sobolev::rim_sum(double cos_theta) const {
@@ -151,8 +147,8 @@ double Sobolev::rim_sum(double cos_theta) const {
     for (double y : nodes_) {
         const double yy = y * y, t = q * y, next = (1 + sigma) * (q * q + yy) / (1 + yy);
         if (t > 0x1p55) break;  // what follows is less than rounding
-        if (next != base)
-            power = portable::pow(base = next, exponent_);  // the same for half of the nodes, at both ends
+        // The same for half of the nodes, at both ends.
+        if (next != base) power = portable::pow(base = next, exponent_);
         sum += power * 2 * t / (1 + t * t);
     }
     return rim_step * sum;
@@ -175,8 +171,7 @@ std::string Sobolev::description() const { return described("sobolev, smoothness
 SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length_scale * length_scale)) {
     if (!(length_scale >= 0.05) || !std::isfinite(length_scale))
         throw std::invalid_argument("the length-scale must be at least 0.05; it is " + std::to_string(length_scale));
-    // (1 - e^(-2 kappa)) / kappa = 2 e^-kappa sinh(kappa) / kappa, by the series of sinh: positive terms, no
-    // cancellation.
+    // (1 - e^(-2 kappa)) / kappa = 2 e^-kappa sinh(kappa) / kappa, by the series of sinh: no cancellation.
     double term = portable::exp(-kappa_), sum = term;
     for (int m = 1; m < kappa_ || sum + term != sum; ++m) {
         term *= kappa_ / (2 * m) * (kappa_ / (2 * m + 1));
@@ -185,30 +180,30 @@ SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length
     even_part_ = 2 * pi * sum;
 }
 
-double SquaredExponential::operator()(double squared_chord) const {
-    return portable::exp(-0.5 * kappa_ * squared_chord);
+void SquaredExponential::covariances(double* squared_chords, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i) squared_chords[i] = portable::exp(-0.5 * kappa_ * squared_chords[i]);
 }
 
 // 2 pi times the sum over m of t_m B_m, with t_m the terms of the modified Bessel function I_1 and B_m the integral
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
-double SquaredExponential::hemisphere_integral(double cos_theta, KnownPart known) const {
+void SquaredExponential::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
     require_no_known_part(known);
-    const double squared_sine = (1 - cos_theta) * (1 + cos_theta);
-    double t = kappa_ / 2 * portable::exp(-kappa_);
-    double b = cos_theta, edge = cos_theta, sum = t * b;
-    for (int m = 1; m < kappa_ / 2 || sum + t * b != sum; ++m) {
-        t *= kappa_ / (2 * m) * (kappa_ / (2 * m + 2));
-        edge *= squared_sine;
-        b = (edge + 2 * m * b) / (2 * m + 1);
-        sum += t * b;
+    for (double& element : cos_thetas) {
+        const double squared_sine = (1 - element) * (1 + element);
+        double t = kappa_ / 2 * portable::exp(-kappa_), b = element, edge = element, sum = t * b;
+        for (int m = 1; m < kappa_ / 2 || sum + t * b != sum; ++m) {
+            t *= kappa_ / (2 * m) * (kappa_ / (2 * m + 2));
+            edge *= squared_sine;
+            b = (edge + 2 * m * b) / (2 * m + 1);
+            sum += t * b;
+        }
+        element = even_part_ + 2 * pi * sum;
     }
-    return even_part_ + 2 * pi * sum;
 }
 
 double SquaredExponential::double_integral(KnownPart known) const {
     require_no_known_part(known);
-    double t = kappa_ / 2 * portable::exp(-kappa_);
-    double w = 1, sum = t * 0.5;
+    double t = kappa_ / 2 * portable::exp(-kappa_), w = 1, sum = t * 0.5;
     for (int m = 1; m < kappa_ / 2 || sum + t != sum; ++m) {
         t *= kappa_ / (2 * m) * (kappa_ / (2 * m + 2));
         w *= 2.0 * m / (2 * m + 1);

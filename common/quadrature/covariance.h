@@ -1,9 +1,8 @@
 // Covariance functions on the sphere and their exact integrals over the hemisphere.
 //
-// A covariance k depends on two directions through the squared chord r^2 = |w - w'|^2 = 2 - 2 w.w' alone, so it is
-// invariant under rotation: rotating a set of directions about the up axis changes neither Q nor z. What Bayesian
-// quadrature needs of it is closed here, with no sampling (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf.
-// 1991):
+// A covariance k depends on two directions through the squared chord r^2 = |w - w'|^2 = 2 - 2 w.w' alone: rotating a
+// set of directions about the up axis changes neither Q nor z. What Bayesian quadrature needs of it is closed here
+// (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf. 1991):
 //     z(w)  = integral over H of k(w, w') p(w') dw',     zz = integral over H of z(w) p(w) dw,
 // where p is the known part of the integrand f p, and the Gaussian process models f alone.
 #pragma once
@@ -29,21 +28,18 @@ class Covariance {
 public:
     virtual ~Covariance() = default;
 
-    // k as a function of the squared chord, in [0, 4].
-    virtual double operator()(double squared_chord) const = 0;
+    // In place: count squared chords, in [0, 4], become covariances k. One call for many values lets a covariance of
+    // plain arithmetic compute them side by side.
+    virtual void covariances(double* squared_chords, std::size_t count) const = 0;
 
-    // z of a direction with elevation cosine cos_theta in [0, 1].
-    // Throws std::invalid_argument for a known part with which this covariance has no closed form.
-    virtual double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const = 0;
-
-    // The same for arrays, in place: count squared chords become covariances, elevation cosines become z. A Gaussian
-    // process spends its time here, and one call for many values lets a covariance of plain arithmetic compute them
-    // side by side.
-    virtual void covariances(double* squared_chords, std::size_t count) const;
-    virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const;
-
-    // zz. Throws as hemisphere_integral does.
+    // In place: elevation cosines, in [0, 1], become z. This and zz throw std::invalid_argument for a known part with
+    // which this covariance has no closed form.
+    virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
     virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
+
+    // k and z of one number.
+    double operator()(double squared_chord) const;
+    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const;
 
     // Its name and parameter, for an error message.
     virtual std::string description() const = 0;
@@ -59,8 +55,6 @@ public:
     // Throws std::invalid_argument for any other s.
     explicit Sobolev(double smoothness = 1.5);
 
-    double operator()(double squared_chord) const override;
-    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
     void covariances(double* squared_chords, std::size_t count) const override;
     void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
@@ -80,12 +74,11 @@ private:
 // k(r) = exp(-r^2 / 2 l^2), length-scale l: models a function with all derivatives.
 class SquaredExponential final : public Covariance {
 public:
-    // l in [0.05, inf). Throws std::invalid_argument below: there e^(-1 / l^2) heads for underflow, and samples no
-    // longer see one another.
+    // l in [0.05, inf). Throws std::invalid_argument below: there e^(-1 / l^2) heads for underflow.
     explicit SquaredExponential(double length_scale = 1);
 
-    double operator()(double squared_chord) const override;
-    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const override;
+    void covariances(double* squared_chords, std::size_t count) const override;
+    void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
     std::string description() const override;
 

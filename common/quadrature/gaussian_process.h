@@ -8,8 +8,8 @@
 // (generalised least squares; O'Hagan 1991, section 3). Then sum of weights_j h_j = pi: such a light is integrated
 // exactly.
 //
-// Q, z and the weights depend on the directions alone, never on f: a process is made once, never changes, and serves
-// any number of integrals and threads. Rotating the directions about the up axis leaves all of it as it is.
+// Q, z and the weights depend on the directions alone, never on f: a process is made once, and serves any number of
+// integrals and threads.
 #pragma once
 
 #include "numerics/cholesky.h"
@@ -32,9 +32,8 @@ class GaussianProcess {
 public:
     // n >= 1 unit directions in the upper hemisphere; noise >= 0 is the standard deviation of the samples' error in
     // units of the amplitude, and what keeps Q positive definite where samples nearly coincide. Throws
-    // std::invalid_argument for an empty set, a direction below the horizon, a bad noise, a known part that the
-    // covariance has no closed form for, and for the mean uniform if every direction lies on the horizon, where such a
-    // light brings nothing (nothing known); NotPositiveDefinite, its text naming the covariance.
+    // std::invalid_argument for other arguments, a known part that the covariance has no closed form for, and the mean
+    // uniform if every direction lies on the horizon; NotPositiveDefinite, its text naming the covariance.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior = {});
 
     const std::vector<Vec3>& directions() const { return directions_; }
@@ -47,7 +46,7 @@ public:
 
     const Cholesky& cholesky() const { return cholesky_; }
 
-    // Q^-1, n x n. An estimate needs only the weights; leave-one-out needs the inverse.
+    // Q^-1, n x n, which leave-one-out needs and an estimate does not.
     Matrix inverse_covariance() const { return cholesky_.inverse(); }
 
     // The estimate of the integral of f p over H; values[i] = f(directions()[i]), n of them in all these functions.
@@ -67,8 +66,7 @@ public:
 
     // Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
     // (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8); for an unknown mean n - 1 takes
-    // the place of n and -1/2 log(h^T Q^-1 h) is added (ibid., eq. 2.45). The constant depends on the mean, and the
-    // values on the known part: compare processes of one mean and one known part only.
+    // the place of n and -1/2 log(h^T Q^-1 h) is added (ibid., eq. 2.45). Compare processes of one prior only.
     double log_evidence(const std::vector<double>& values) const;
 
     // What each value differs by from its prediction by all the others: (Q^-1 Y)_i / (Q^-1)_ii (ibid., eq. 5.12),

@@ -37,11 +37,8 @@ double root(double u) { return std::sqrt(u); }
 }  // namespace
 
 std::vector<Vec3> uniform_directions(std::size_t n, Random& random) { return random_directions(n, random, itself); }
-
 std::vector<Vec3> fibonacci_directions(std::size_t n) { return lattice_directions(n, itself); }
-
 std::vector<Vec3> cosine_directions(std::size_t n, Random& random) { return random_directions(n, random, root); }
-
 std::vector<Vec3> cosine_fibonacci_directions(std::size_t n) { return lattice_directions(n, root); }
 
 Vec3 rotate_around_y(Vec3 direction, double turns) {
@@ -51,8 +48,7 @@ Vec3 rotate_around_y(Vec3 direction, double turns) {
 
 Frame::Frame(Vec3 unit_normal) : normal(unit_normal) {
     const double sign = normal.z < 0 ? -1 : 1;
-    const double a = -1 / (sign + normal.z);
-    const double b = normal.x * normal.y * a;
+    const double a = -1 / (sign + normal.z), b = normal.x * normal.y * a;
     tangent = {b, sign + normal.y * normal.y * a, -normal.y};
     bitangent = {1 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
 }

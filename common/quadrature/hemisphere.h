@@ -1,7 +1,7 @@
 // Directions in the unit hemisphere around the up axis y, and frames that carry them to a surface.
 //
-// All integrals here are with respect to solid angle; the hemisphere H has solid angle 2 pi. A direction's elevation
-// cosine is its y component, cos(theta).
+// Integrals are with respect to solid angle; the hemisphere H has 2 pi. A direction's elevation cosine is its y
+// component, cos(theta).
 #pragma once
 
 #include "numerics/portable_math.h"

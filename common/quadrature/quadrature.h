@@ -10,8 +10,7 @@
 #include <vector>
 
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
-// known part: 1, or cos(theta). Rotating the directions about the up axis gives a rule of the same quality: the
-// covariances see distances only, and the rotation leaves cos(theta) alone.
+// known part: 1, or cos(theta). Rotating the directions about the up axis gives a rule of the same quality.
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;

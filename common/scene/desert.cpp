@@ -34,8 +34,8 @@ double lattice(int i, int j) {
     return (h ^ (h >> 15)) * 0x1p-32;
 }
 
-// Smooth noise in [0, 1) with features of size 1. The arguments stay below 1e6. It is inline, as others below are,
-// since a loop with a call in it is not vectorised.
+// Smooth noise in [0, 1) with features of size 1. Inline, as others below are, since a loop with a call in it is not
+// vectorised.
 inline double noise(double x, double y) {
     const double floor_x = std::floor(x), floor_y = std::floor(y);
     const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
@@ -100,8 +100,7 @@ inline Color mountains(Color behind, Vec3 d, double scale, double height, double
 
 constexpr int width = 1024, height = 512;
 
-// A row of texels and the directions in which they are seen: an array per component, so that the compiler can paint
-// neighbours side by side.
+// A row of texels and the directions in which they are seen: an array per component, to paint neighbours side by side.
 struct Row {
     double x[width], y[width], z[width];
     double red[width], green[width], blue[width];
@@ -157,12 +156,7 @@ EnvironmentMap desert(double sunlight) {
     return EnvironmentMap(width, height, std::move(rgb));
 }
 
-}  // namespace
-
-EnvironmentMap built_in_environment() { return desert(1); }
-
-EnvironmentMap bright_desert() { return desert(1000); }
-
+// The hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
 EnvironmentMap black_and_white() {
     std::vector<float> rgb;
     for (int j = 0; j < height; ++j)
@@ -172,6 +166,11 @@ EnvironmentMap black_and_white() {
         }
     return EnvironmentMap(width, height, std::move(rgb));
 }
+
+}  // namespace
+
+EnvironmentMap built_in_environment() { return desert(1); }
+EnvironmentMap bright_desert() { return desert(1000); }
 
 std::vector<std::string> built_in_lights() { return {"desert", "bright-desert", "black-and-white"}; }
 

@@ -18,13 +18,12 @@ class TexelGrid {
 public:
     TexelGrid(int columns, int rows) : width_(columns), height_(rows) {}
 
-    // Row * width_ + column of the texel that a direction sees, in the precision of its components. The direction has
-    // unit length up to rounding. Anything else, nan included, still gives a texel of the map.
+    // Row * width_ + column of the texel that a direction of unit length sees, in the precision of its components.
+    // Anything else, nan included, still gives a texel of the map.
     //
-    // This runs for every secondary ray, so it is a straight line of arithmetic that a compiler can turn into SIMD over
-    // arrays of directions. Arccosine and arctangent are polynomials with an error of at most 2.3e-8: a texel's
-    // border moves by 2.3e-8 / (2 pi) * 1023 = 4e-6 of a texel in a map 1024 wide. Rounding in single precision moves
-    // it by 3e-5, and may take the last of more than 2^24 texels for one more.
+    // This runs for every secondary ray, so it is a straight line of arithmetic that a compiler can turn into SIMD. The
+    // polynomials err by at most 2.3e-8, 4e-6 of a texel in a map 1024 wide. Rounding in single precision moves a
+    // texel's border by 3e-5, and may take the last of more than 2^24 texels for one more.
     template <class Real>
     int texel_index(Real x, Real y, Real z) const {
         const int i = static_cast<int>(row(y)), j = static_cast<int>(column(x, z));
@@ -66,15 +65,8 @@ private:
     // The smallest normal number in the denominator gives straight up and straight down the azimuth 0.
     template <class Real>
     static Real azimuth(Real x, Real z) {
-        constexpr double c[] = {1,
-                                -0.3333314528,
-                                0.1999355085,
-                                -0.1420889944,
-                                0.1065626393,
-                                -0.0752896400,
-                                0.0429096138,
-                                -0.0161657367,
-                                0.0028662257};
+        constexpr double c[] = {1.0000000000,  -0.3333314528, 0.1999355085,  -0.1420889944, 0.1065626393,
+                                -0.0752896400, 0.0429096138,  -0.0161657367, 0.0028662257};
         constexpr Real smallest = std::numeric_limits<Real>::min();
         const Real across = std::fabs(x), along = std::fabs(z);
         const Real longer = across > along ? across : along;
@@ -92,16 +84,15 @@ class EnvironmentMap {
 public:
     static constexpr int max_texels = 1 << 26;
 
-    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top.
-    // Throws std::invalid_argument unless width, height >= 1, width * height <= max_texels, and rgb holds
-    // 3 * width * height values, all of them finite and >= 0.
+    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top; finite and >= 0. Throws
+    // std::invalid_argument for anything else, also for more than max_texels.
     EnvironmentMap(int width, int height, std::vector<float> rgb);
 
     int width() const { return grid_.width(); }
     int height() const { return height_; }
 
-    // Linear RGB radiance; texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as beyond
-    // says: a black texel, for loops that take four floats at a time.
+    // Texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as beyond says: a black texel,
+    // for loops that take four floats at a time.
     static constexpr std::size_t beyond = 4;
     const float* texels() const { return rgb_.data(); }
 

@@ -71,7 +71,7 @@ public:
     std::size_t shared_count() const;
     const std::vector<std::shared_ptr<const PixelRule>>& shared() const { return shared_rules_; }
 
-    // A pixel's samples: those of its rule, and those of a sun that is known (known_light.h).
+    // A pixel's samples: those of its rule, and those of a sun that is known.
     std::size_t samples() const { return settings_.samples; }
     std::size_t sun_samples() const { return sun_samples_; }
 

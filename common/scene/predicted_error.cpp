@@ -1,14 +1,11 @@
 #include "scene/predicted_error.h"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
-namespace {
-
 // Each colour by itself: (*colour).x, y, z.
-constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
-
-}  // namespace
+static constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
 
 // BEGIN SOLUTION extra
 namespace {
@@ -24,10 +21,9 @@ Samples samples_of(const Scene& scene, const Light& light, const Hit& hit, const
     const auto& [rule, caps, process] = *placed.rule;
     std::vector<Direction> directions;
     for (const WeightedDirection& each : rule) directions.push_back(placed.frame.to_world(each.direction));
-    Samples samples;
-    for (const Direction& direction : directions) samples.visible.push_back(is_shadowed(scene, hit, direction) ? 0 : 1);
-    samples.light.resize(rule.size());
+    Samples samples{{}, std::vector<Color>(rule.size())};
     for (std::size_t j = 0; j < rule.size(); ++j) {
+        samples.visible.push_back(is_shadowed(scene, hit, directions[j]) ? 0 : 1);
         if (!caps.empty())
             samples.light[j] = caps[j]->radiance(directions[j]);
         else if (samples.visible[j] > 0)
@@ -37,28 +33,24 @@ Samples samples_of(const Scene& scene, const Light& light, const Hit& hit, const
 }
 
 double sum_of_squares(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value * value;
-    return sum;
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
 std::vector<double> deviations(std::vector<double> values) {
     if (values.size() == 1)
         throw std::invalid_argument("one sample says nothing of the error of its mean; take two or more");
-    double sum = 0;
-    for (const double value : values) sum += value;
-    for (double& value : values) value -= sum / static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    for (double& value : values) value -= mean;
     return values;
 }
 
 // By a process of the light, or by samples whose weights count it already.
 PixelError error_of_light(const PixelRule& rule, KnownPart known, const Samples& samples) {
-    const std::size_t count = rule.rule.size();
-    const double n = static_cast<double>(count);
+    std::vector<double> values(rule.rule.size());
+    const double n = static_cast<double>(values.size());
     PixelError error;
-    std::vector<double> values(count);
     for (const auto channel : channels) {
-        for (std::size_t j = 0; j < count; ++j) {
+        for (std::size_t j = 0; j < values.size(); ++j) {
             const auto& [direction, weight] = rule.rule[j];
             const double factor = !rule.process ? n * weight : known == KnownPart::cosine ? 1 : direction.y;
             values[j] = factor * samples.light[j].*channel;

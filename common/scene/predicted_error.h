@@ -9,13 +9,12 @@
 // V / pi^2 of an estimate of the mean of v. What a sample's v_j errs by as the mean of v over its cap is nearly
 // independent of what others err by, and counts by m_j in place of e_j:
 //     a^2 = (albedo / pi)^2 E(n)^2 (v - mean)^T Q^-1 (v - mean) / (n - 1),   U = V / pi^2 sum of m_j^2 / sum of e_j^2.
-// (To linearise the quotient instead finds no error where one sample has nearly all the light, as under a sun: there is
-// nothing left that differs.)
+// (To linearise the quotient instead finds no error where one sample has nearly all the light, as under a sun.)
 // Monte Carlo on independent directions has the variance of its samples in place of Y^T Q^-1 Y / n, and U = 1 / n; for
 // a known light the variance of the v_j, and U = sum of m_j^2.
 // A known sun adds (albedo / pi)^2 E_sun(n)^2 c / (2 m (m - 1)), c how often one of its m rays, in their order, passes
 // and the next does not, or the other way round: the successive differences of stratified samples (Wolter,
-// "Introduction to Variance Estimation", 1985, chapter 7). It is nothing where all rays agree.
+// "Introduction to Variance Estimation", 1985, chapter 7).
 #pragma once
 
 #include "scene/image.h"

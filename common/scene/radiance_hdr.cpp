@@ -41,18 +41,9 @@ private:
         return quoted + (text.size() > 60 ? "...'" : "'");
     }
 
-    // The next byte of the file, or its end. Blocks are read ahead: the stream itself takes long to give a byte.
-    int next() {
-        if (next_ == end_) {
-            next_ = 0;
-            end_ = static_cast<std::size_t>(bytes_.sgetn(block_.data(), static_cast<std::streamsize>(block_.size())));
-        }
-        return next_ < end_ ? static_cast<unsigned char>(block_[next_++]) : end_of_file;
-    }
-
     std::string header_line() {
         std::string line;
-        for (int c = next(); c != '\n'; c = next()) {
+        for (int c = bytes_.sbumpc(); c != '\n'; c = bytes_.sbumpc()) {
             if (c == end_of_file) fail("the file ends inside the header");
             line += static_cast<char>(c);
             if (line.size() > 4096) fail("a line of the header is longer than 4096 characters");
@@ -62,7 +53,7 @@ private:
     }
 
     void read_header() {
-        const bool hash = next() == '#', question_mark = next() == '?';
+        const bool hash = bytes_.sbumpc() == '#', question_mark = bytes_.sbumpc() == '?';
         const std::string program = hash && question_mark ? header_line() : "";
         if (program != "RADIANCE" && program != "RGBE")
             fail("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
@@ -96,7 +87,7 @@ private:
     }
 
     unsigned char byte() {
-        const int c = next();
+        const int c = bytes_.sbumpc();
         if (c == end_of_file) fail("the file ends inside a scanline");
         return static_cast<unsigned char>(c);
     }
@@ -108,7 +99,9 @@ private:
     }
 
     // Exact: 8 bits of mantissa, and 2^-135 is 2^14 times the smallest float.
-    float decode(const Rgbe& rgbe, std::size_t i) const { return static_cast<float>(rgbe[i]) * scale_[rgbe[3]]; }
+    void append(const Rgbe& rgbe) {
+        for (std::size_t i = 0; i < 3; ++i) rgb_.push_back(static_cast<float>(rgbe[i]) * scale_[rgbe[3]]);
+    }
 
     // New scanlines announce themselves by a first texel (2, 2, high, low) that no encoder writes: the largest mantissa
     // is always at least 128.
@@ -122,10 +115,7 @@ private:
                  std::to_string(width_));
         scanline_.resize(static_cast<std::size_t>(width_));
         for (std::size_t component = 0; component < 4; ++component) read_component(component);
-        std::size_t value = rgb_.size();
-        rgb_.resize(value + 3 * scanline_.size());
-        for (const Rgbe& rgbe : scanline_)
-            for (std::size_t i = 0; i < 3; ++i) rgb_[value++] = decode(rgbe, i);
+        for (const Rgbe& rgbe : scanline_) append(rgbe);
     }
 
     // A code above 128: the next byte, code - 128 times. Otherwise: that many bytes follow.
@@ -152,7 +142,7 @@ private:
                 x += count;
                 shift += 8;
             } else {
-                for (std::size_t i = 0; i < 3; ++i) rgb_.push_back(decode(rgbe, i));
+                append(rgbe);
                 ++x;
                 shift = 0;
             }
@@ -160,11 +150,9 @@ private:
         }
     }
 
-    static constexpr int end_of_file = -1;
+    static constexpr int end_of_file = std::char_traits<char>::eof();
 
     std::streambuf& bytes_;
-    std::array<char, 16384> block_;
-    std::size_t next_ = 0, end_ = 0;  // what is left of the block
     int row_ = -1, width_ = 0, height_ = 0;
     std::array<float, 256> scale_{};  // 2^(e - 136); 0 for e = 0
     std::vector<Rgbe> scanline_;

@@ -30,38 +30,28 @@ std::uint64_t z_order(std::uint64_t row, std::uint64_t column) {
     return order;
 }
 
-struct Texel {
-    std::uint64_t order;
-    int row, column;
-};
-
 }  // namespace
 
 Sun::Sun(const EnvironmentMap& map) : map_(map), all_(all_light(SolidTexels(map, 1, 1))) {
     const SolidTexels texels(map, 1, 1);
     const double least = bright * all_ / (4 * portable::pi);
-    std::vector<Texel> bright_texels;
     for (int row = 0; row < texels.rows(); ++row)
-        for (int column = 0; column < texels.columns(); ++column)
-            if (brightness(texels(row, column)) > least)
-                bright_texels.push_back(
-                    {z_order(static_cast<std::uint64_t>(row), static_cast<std::uint64_t>(column)), row, column});
-    std::sort(bright_texels.begin(), bright_texels.end(),
-              [](const Texel& a, const Texel& b) { return a.order < b.order; });
-    double sum = 0;
-    for (const auto& [order, row, column] : bright_texels) {
-        const Color light = texels(row, column);
-        sum += texels.solid_angle(row) * brightness(light);
-        light_.push_back(sum);
-        rays_.push_back({direction_of(texels.polar(row + 0.5), texels.azimuth(column)), 1 / brightness(light) * light});
-        texels_.push_back(static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width()) +
-                          static_cast<std::size_t>(column));
-    }
+        for (int column = 0; column < texels.columns(); ++column) {
+            const Color light = texels(row, column);
+            if (!(brightness(light) > least)) continue;
+            const auto i = static_cast<std::uint64_t>(row), j = static_cast<std::uint64_t>(column);
+            const Ray ray{direction_of(texels.polar(row + 0.5), texels.azimuth(column)), 1 / brightness(light) * light};
+            texels_.push_back({z_order(i, j), static_cast<std::size_t>(row * map.width() + column), ray,
+                               texels.solid_angle(row) * brightness(light)});
+        }
+    std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
+    for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
 }
 
 const Sun::Ray& Sun::ray(double u) const {
-    const auto after = std::upper_bound(light_.begin(), light_.end(), u * light_.back());
-    return rays_[std::min(static_cast<std::size_t>(after - light_.begin()), rays_.size() - 1)];
+    const auto after = std::upper_bound(texels_.begin(), texels_.end() - 1, u * texels_.back().light,
+                                        [](double light, const Texel& texel) { return light < texel.light; });
+    return after->ray;
 }
 
 EnvironmentMap Sun::without(bool sun) const {
@@ -69,7 +59,7 @@ EnvironmentMap Sun::without(bool sun) const {
     const std::size_t count = 3 * static_cast<std::size_t>(map_.width()) * static_cast<std::size_t>(map_.height());
     std::vector<float> rgb(count);
     if (sun) std::copy(texels, texels + count, rgb.begin());
-    for (const std::size_t texel : texels_)
-        for (std::size_t i = 3 * texel; i < 3 * texel + 3; ++i) rgb[i] = sun ? 0 : texels[i];
+    for (const Texel& texel : texels_)
+        for (std::size_t i = 3 * texel.index; i < 3 * texel.index + 3; ++i) rgb[i] = sun ? 0 : texels[i];
     return EnvironmentMap(map_.width(), map_.height(), std::move(rgb));
 }

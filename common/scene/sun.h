@@ -5,16 +5,17 @@
 
 #include "scene/environment.h"
 
+#include <cstdint>
 #include <vector>
 
 class Sun {
 public:
     explicit Sun(const EnvironmentMap& map);
 
-    bool empty() const { return rays_.empty(); }
+    bool empty() const { return texels_.empty(); }
 
     // Its light over that of the whole map.
-    double share() const { return empty() ? 0 : light_.back() / all_; }
+    double share() const { return empty() ? 0 : texels_.back().light / all_; }
 
     // The map with nothing but the sun, or with all but the sun.
     EnvironmentMap alone() const { return without(false); }
@@ -32,9 +33,14 @@ public:
 private:
     EnvironmentMap without(bool sun) const;
 
+    struct Texel {
+        std::uint64_t order;  // Morton's
+        std::size_t index;
+        Ray ray;
+        double light;  // of this texel and those before it
+    };
+
     const EnvironmentMap& map_;
     double all_;
-    std::vector<Ray> rays_;
-    std::vector<std::size_t> texels_;
-    std::vector<double> light_;  // of this texel and those before it
+    std::vector<Texel> texels_;
 };

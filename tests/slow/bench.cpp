@@ -39,7 +39,7 @@ RenderSettings square(int size, std::size_t samples, unsigned threads) {
 }
 
 double render_seconds(const Light& environment, const RenderSettings& settings) {
-    return median_seconds([&] { sink = render(sphere_scene(), environment, settings)(0, 0).x; });
+    return seconds_of([&] { sink = render(sphere_scene(), environment, settings)(0, 0).x; });
 }
 
 // The rules are made once, whatever the size: a picture of one pixel tells what they take.
@@ -69,7 +69,7 @@ double plain_render_seconds(const EnvironmentMap& environment, const RenderSetti
     Random random(1, 0);
     const QuadratureRule rule = bayesian_rule(sobolev, 0.01, uniform_directions(settings.samples, random));
     const Camera camera{settings.width, settings.height};
-    return median_seconds([&] {
+    return seconds_of([&] {
         Color sum;
         for (int y = 0; y < settings.height; ++y)
             for (int x = 0; x < settings.width; ++x)
@@ -85,10 +85,10 @@ void bench_parts() {
     const RenderSettings settings = square(500, 40, 1);
     const Image image = render(sphere_scene(), environment, settings);
     std::printf("# ./renderer --threads 1, milliseconds: light %.2f, rules %.2f, pixels %.2f, PPM %.2f\n",
-                1e3 * median_seconds([] { sink = built_in_environment().texels()[0]; }),
+                1e3 * seconds_of([] { sink = built_in_environment().texels()[0]; }),
                 1e3 * render_seconds(environment, square(1, settings.samples, 1)),
                 1e3 * ray_seconds(environment, settings) * rays_of(settings),
-                1e3 * median_seconds([&] { sink = static_cast<double>(to_ppm(image).size()); }));
+                1e3 * seconds_of([&] { sink = static_cast<double>(to_ppm(image).size()); }));
 }
 
 void bench_rendering() {
@@ -127,7 +127,7 @@ void bench_known_light() {
     for (const LightTable& table : light.averages().tables())
         if (table.rgb != environment.texels()) floats += 3 * static_cast<std::size_t>(table.columns * table.rows);
     std::printf("\n# averages of a known light: %.1f ms, %.1f MiB\n",
-                1e3 * median_seconds([&] {
+                1e3 * seconds_of([&] {
                     sink = PrefilteredEnvironment(environment).irradiance({0, 1, 0}).x;
                 }),
                 static_cast<double>(floats * sizeof(float)) / (1 << 20));
@@ -167,9 +167,9 @@ void bench_cholesky() {
         const std::vector<Vec3> directions = uniform_directions(n, random);
         const Matrix q = symmetric(covariance_matrix(sobolev, 0.01, directions));
         const double size = static_cast<double>(n);
-        const double factor = median_seconds([&] { sink = Cholesky(q).upper()(0, 0); });
-        const double inverse = median_seconds([&] { sink = Cholesky(q).inverse()(0, 0); });
-        const double textbook = median_seconds([&] {
+        const double factor = seconds_of([&] { sink = Cholesky(q).upper()(0, 0); });
+        const double inverse = seconds_of([&] { sink = Cholesky(q).inverse()(0, 0); });
+        const double textbook = seconds_of([&] {
             Matrix a = q;
             textbook_factor(a);
             sink = a(0, 0);
@@ -179,7 +179,7 @@ void bench_cholesky() {
 #ifdef COMPARE_LAPACK
         const int order = static_cast<int>(n);
         const auto lapack = [&](bool invert) {
-            return median_seconds([&] {
+            return seconds_of([&] {
                 Matrix a = q;
                 int info = 0;
                 dpotrf_("L", &order, a.row(0), &order, &info);
@@ -194,7 +194,7 @@ void bench_cholesky() {
         std::printf("\n");
     }
     std::printf("\n# one Gaussian process from directions to weights, 40 samples: %.2f microseconds\n",
-                1e6 * median_seconds([] {
+                1e6 * seconds_of([] {
                     Random random(1, 0);
                     sink = bayesian_rule(sobolev, 0.01, uniform_directions(40, random)).weights[0];
                 }));

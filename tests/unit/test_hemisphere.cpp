@@ -10,6 +10,8 @@ double largest_difference(Vec3 a, Vec3 b) {
     return std::max({std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z)});
 }
 
+Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
 }  // namespace
 
 TEST_CASE("uniform directions are unit vectors of the upper hemisphere with the moments of the uniform density") {

@@ -50,20 +50,6 @@ TEST_CASE("what a picture costs: the practice's three steps against error correl
     CHECK(std::fabs(find(Method::mc, 1, 10).rmse / mc.rmse / 2 - 1) < 0.05);
 }
 
-TEST_CASE("all settings hold those that README tells of, and each once") {
-    const auto same = [](const RenderSettings& a, const RenderSettings& b) {
-        return a.method == b.method && a.pool == b.pool && a.placement == b.placement &&
-               a.prior.known == b.prior.known && a.prior.mean == b.prior.mean;
-    };
-    const std::vector<RenderSettings> all = all_settings();
-    for (const auto& list : {main_settings(), all})
-        for (const RenderSettings& wanted : list) {
-            int found = 0;
-            for (const RenderSettings& settings : all) found += same(wanted, settings);
-            CHECK(found == 1);
-        }
-}
-
 TEST_CASE("a light that reaches no object is refused") {
     CHECK_THROWS_WITH_AS(picture_costs(EnvironmentMap(1, 1, {0, 0, 0}), main_settings(), {10}, untimed(2)),
                          "the environment lights no object, so there is no error to compare; take another",

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cfloat>
 #include <cmath>
 
 namespace {
@@ -33,15 +34,6 @@ std::vector<double> wide_weights(const Covariance& covariance, double noise, con
     return weights;
 }
 
-double error_over_largest(const std::vector<double>& weights, const std::vector<double>& exact) {
-    double error = 0, largest = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        error = std::max(error, std::fabs(weights[i] - exact[i]));
-        largest = std::max(largest, std::fabs(exact[i]));
-    }
-    return error / largest;
-}
-
 StabilityRow examine_one(SampleSet set, const Model& model, double noise) {
     return examine(set, 100, model, {noise}).front();
 }
@@ -61,7 +53,7 @@ TEST_CASE(
                 const GaussianProcess process(*covariance, noise, directions);
                 const Matrix inverse = process.inverse_covariance();
                 const Matrix q = symmetric(covariance_matrix(*covariance, noise, directions));
-                const double condition = residuals_of(q, process.cholesky(), inverse).condition;
+                const double condition = row_sum_norm(q) * row_sum_norm(inverse);
                 double largest = 0, by_solve = 0, by_inverse = 0, z_norm = 0;
                 for (std::size_t i = 0; i < 40; ++i) {
                     double weight = 0;
@@ -88,9 +80,8 @@ TEST_CASE("exact weights are those of elimination with 32 digits, but for the ro
                                Model(CovarianceFamily::squared_exponential, 0.5)})
         for (const double noise : {1.0, 0.5}) {
             const GaussianProcess process(*model.covariance, noise, directions);
-            const auto exact = ExactWeights(model, directions).weights(noise, process.cholesky());
-            REQUIRE(exact);
-            CHECK(error_over_largest(wide_weights(*model.covariance, noise, directions), *exact) < 1e-14);
+            const std::vector<double> weights = wide_weights(*model.covariance, noise, directions);
+            CHECK(ExactWeights(model, directions).error_of(weights, noise, process.cholesky()) < 1e-14);
         }
 }
 
@@ -104,34 +95,19 @@ TEST_CASE("the error of the weights is that from the directions, as was measured
 
 TEST_CASE("where the factor passes and no digit is right, there are no exact weights") {
     const StabilityRow row = examine_one(SampleSet::random, {CovarianceFamily::squared_exponential, 1}, 0);
-    CHECK(row.refusal.empty());
+    CHECK(!row.refused);
     CHECK(!(row.weight_error < 0.1));
 }
 
-TEST_CASE("residual ratios stay below 5 at extremes, LAPACK's limit being 30") {
-    for (const SampleSet set : {SampleSet::random, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
-        for (const Model& model :
-             {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::squared_exponential, 1)})
-            for (const StabilityRow& row : examine(set, 100, model, {1, 1e-4, 1e-6})) {
-                CHECK(row.residuals.condition > 0);
-                CHECK(row.residuals.factor < 5);
-                CHECK(row.residuals.inverse < 5);
-                CHECK(std::isfinite(row.residuals.condition));
-                CHECK(std::isfinite(row.absolute_weights));
-                CHECK(std::isfinite(row.cosine_error));
-            }
-}
-
-TEST_CASE("what is singular in double precision is refused, naming pivot and value, and works with noise") {
+TEST_CASE("what is singular in double precision is refused, and works with noise") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
-        const StabilityRow refused = examine_one(set, {CovarianceFamily::sobolev, 1.5}, 0);
-        CHECK(refused.refusal.find("pivot 1 is ") != std::string::npos);
-        CHECK(examine_one(set, {CovarianceFamily::sobolev, 1.5}, 1e-2).refusal.empty());
+        CHECK(examine_one(set, {CovarianceFamily::sobolev, 1.5}, 0).refused);
+        CHECK(!examine_one(set, {CovarianceFamily::sobolev, 1.5}, 1e-2).refused);
     }
     // As s tends to 2, k tends to C - r^2, of rank 4: constants and the three coordinates.
     const Model nearly_flat{CovarianceFamily::sobolev, std::nextafter(2, 1)};
-    CHECK(examine(SampleSet::random, 40, nearly_flat, {0.0}).front().refusal.find("pivot 4 ") != std::string::npos);
-    CHECK(examine(SampleSet::random, 40, nearly_flat, {1e-2}).front().refusal.empty());
+    CHECK(examine_one(SampleSet::random, nearly_flat, 0).refused);
+    CHECK(!examine_one(SampleSet::random, nearly_flat, 1e-2).refused);
 }
 
 TEST_CASE("a long length-scale makes Bayesian Monte Carlo classic: w = 2 pi / (N + noise^2)") {

@@ -1,4 +1,4 @@
-#include "experiments/integral_cost.h"
+#include "experiments/tradeoff.h"
 
 #include <doctest/doctest.h>
 
