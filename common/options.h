@@ -2,12 +2,10 @@
 // set the members of a settings struct, which must stay where it is.
 #pragma once
 
-#include "numerics/portable_math.h"
-
-#include <vector>
-
 #include "command_line.h"
 #include "scene/render.h"
+
+#include <vector>
 
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
 constexpr long max_process_samples = 4096;

@@ -1,7 +1,6 @@
 #include "experiments/integrands.h"
 #include "scene/desert.h"
 
-#include <memory>
 #include <numeric>
 
 using portable::pi;

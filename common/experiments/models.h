@@ -47,9 +47,8 @@ struct Judged {
 Judged judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
              std::size_t sets);
 
-// The errors that are made if for each set of samples that model is taken whose verdict is least by the criterion, a
-// member of Verdict; how often that is a squared-exponential covariance; and the error of the one model whose sum over
-// all sets is least.
+// The RMSE if for each set of samples that model is taken whose verdict is least by the criterion; how often that is a
+// squared-exponential one; and the RMSE of the one model whose sum over all sets is least.
 struct Choice {
     double rmse, smooth, pooled_rmse;
 };

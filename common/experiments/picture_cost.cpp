@@ -6,7 +6,6 @@
 #include "scene/predicted_error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <thread>
 

@@ -19,17 +19,17 @@ Truth dense_truth(const Light& light, RenderSettings settings, std::size_t sampl
 }
 
 ImageError image_error(const Image& image, const Truth& truth) {
-    const auto error = [&](int x, int y) { return image(x, y) - truth.image(x, y); };
     double count = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
     Color sum;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            if (!truth.shows_object(x, y)) continue;
-            count += 1;
-            sum += error(x, y);
-            true_sum += dot(truth.image(x, y), {1, 1, 1});
-            squares += dot(error(x, y), error(x, y));
-        }
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (!truth.mask[i]) continue;
+        const Color error = image[i] - truth.image[i];
+        count += 1;
+        sum += error;
+        true_sum += dot(truth.image[i], {1, 1, 1});
+        squares += dot(error, error);
+    }
+    const auto error = [&](int x, int y) { return image(x, y) - truth.image(x, y); };
     const Color mean = 1 / count * sum;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x + 1 < image.width(); ++x) {
@@ -44,12 +44,11 @@ ImageError image_error(const Image& image, const Truth& truth) {
 
 double share_within_two(const Image& image, const Truth& truth, const Image& predicted) {
     double within = 0, all = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) {
-            if (!truth.shows_object(x, y)) continue;
-            const Color error = image(x, y) - truth.image(x, y), most = 2 * predicted(x, y);
-            within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
-            all += 3;
-        }
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (!truth.mask[i]) continue;
+        const Color error = image[i] - truth.image[i], most = 2 * predicted[i];
+        within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
+        all += 3;
+    }
     return within / all;
 }

@@ -1,11 +1,9 @@
 // What pictures of the sphere scene differ from the truth by.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "scene/render.h"
 
 #include <vector>
-
-#include "scene/render.h"
 
 struct Truth {
     Image image;

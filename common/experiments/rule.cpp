@@ -1,6 +1,6 @@
 #include "experiments/rule.h"
 
-#include "experiments/input.h"
+#include "scene/input.h"
 
 #include <cmath>
 

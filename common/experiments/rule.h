@@ -1,10 +1,7 @@
 // A rule of Bayesian Monte Carlo, number by number, on directions that are drawn or that another program wrote.
 #pragma once
 
-#include "numerics/portable_math.h"
-
 #include "options.h"
-#include "quadrature/quadrature.h"
 
 #include <iosfwd>
 
@@ -14,9 +11,8 @@ struct Samples {
     std::vector<double> values;  // one for each direction, or none
 };
 
-// Reads "x y z", "x y z value" or "x y z z_j weight", as rule prints it, a line, the same in all of them. Throws
-// std::runtime_error that names the line for any other number of columns, a length that is not 1 within 1e-6, and a
-// direction below the horizon (y < 0).
+// Reads "x y z", "x y z value" or "x y z z_j weight", as rule prints it, a line. Throws std::runtime_error that names
+// the line for anything else, a length that is not 1 within 1e-6, and a direction below the horizon.
 Samples read_samples(std::istream& in);
 
 // Directions, z and weights; how well the weights integrate the one integrand that every rule should; with values their

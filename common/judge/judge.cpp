@@ -1,10 +1,10 @@
 #include "judge/judge.h"
 
 #include "experiments/error_table.h"
-#include "experiments/input.h"
 #include "judge/judge_picture.h"
 #include "judge/judge_table.h"
 #include "scene/desert.h"
+#include "scene/input.h"
 
 #include <istream>
 #include <optional>

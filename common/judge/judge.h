@@ -1,8 +1,6 @@
 // Whether what another program made is right: a picture of the sphere scene, or an error table.
 #pragma once
 
-#include "numerics/portable_math.h"
-
 #include "options.h"
 
 struct Judge {

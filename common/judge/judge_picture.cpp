@@ -30,23 +30,21 @@ struct Background {
 Background background_beside(const Truth& expected, const PictureFile& picture) {
     const int maxval = picture.maxval;
     double count = 0, differing = 0, channels = 0, lacking = 0;
-    for (int y = 0; y < picture.image.height(); ++y)
-        for (int x = 0; x < picture.image.width(); ++x) {
-            if (expected.shows_object(x, y)) continue;
-            const Color here = picture.image(x, y), right = expected.image(x, y);
-            const double largest = std::max({right.x, right.y, right.z, 1e-6});
-            bool differs = false;
-            for (const auto& [a, b] : {std::pair(here.x, right.x), {here.y, right.y}, {here.z, right.z}}) {
-                const double missing =
-                    maxval > 0 ? maxval * (srgb_encoded(b) - srgb_encoded(a)) : 128 * (b - a) / largest;
-                differs = differs || !(std::fabs(missing) <= 1.5);
-                if (std::fabs(missing) > 1.5 || b >= 1) continue;
-                lacking += missing;
-                channels += 1;
-            }
-            differing += differs;
-            count += 1;
+    for (std::size_t i = 0; i < picture.image.size(); ++i) {
+        if (expected.mask[i]) continue;
+        const Color here = picture.image[i], right = expected.image[i];
+        const double largest = std::max({right.x, right.y, right.z, 1e-6});
+        bool differs = false;
+        for (const auto& [a, b] : {std::pair(here.x, right.x), {here.y, right.y}, {here.z, right.z}}) {
+            const double missing = maxval > 0 ? maxval * (srgb_encoded(b) - srgb_encoded(a)) : 128 * (b - a) / largest;
+            differs = differs || !(std::fabs(missing) <= 1.5);
+            if (std::fabs(missing) > 1.5 || b >= 1) continue;
+            lacking += missing;
+            channels += 1;
         }
+        differing += differs;
+        count += 1;
+    }
     count = std::max(1.0, count);
     return {differing / count, std::max(0.001, 2 / count), channels > 100 && maxval > 0 ? lacking / channels : 0};
 }

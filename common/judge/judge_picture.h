@@ -2,13 +2,10 @@
 // makes: its numbers beside those of correct pictures with other seeds.
 #pragma once
 
-#include "numerics/portable_math.h"
-
-#include <string>
-
 #include "judge/picture_file.h"
 #include "judge/picture_numbers.h"
-#include "scene/render.h"
+
+#include <string>
 
 // The method, as one would type it.
 std::string options_of(const RenderSettings& settings);

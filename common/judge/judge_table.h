@@ -2,14 +2,11 @@
 // absolute errors is expected to be, and how much such a mean spreads.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "experiments/integrands.h"
+#include "scene/input.h"
 
 #include <string>
 #include <vector>
-
-#include "experiments/input.h"
-#include "experiments/integrands.h"
-#include "quadrature/covariance.h"
 
 struct Cell {
     double here, expected;

@@ -38,7 +38,7 @@ std::vector<Mistaken> wrong_pictures(const Truth& truth, bool codes) {
     return all;
 }
 
-// What a point would reflect with mistakes in the integrand: cos(theta) twice, no cos(theta), no shadows.
+// What a point would reflect with cos(theta) twice, without cos(theta), without shadows.
 std::array<Color, 3> wrong_shades(const Hit& hit, const EnvironmentMap& environment,
                                   const std::vector<Vec3>& directions) {
     const Frame frame(hit.normal);
@@ -77,10 +77,9 @@ std::vector<Mistaken> wrong_integrands(const Image& right, const EnvironmentMap&
 // The truth first, then with mistakes in a factor.
 std::vector<Mistaken> wrong_factors(const Truth& truth, std::size_t samples) {
     const double n = static_cast<double>(samples);
-    std::vector<Factor> known(std::begin(factors), std::end(factors));
-    known.insert(known.begin(), {"", 1});
-    known.insert(known.end(),
-                 {{"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}, {"the objects are black", 0}});
+    std::vector<Factor> known{
+        {"", 1}, {"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}, {"the objects are black", 0}};
+    known.insert(known.begin() + 1, std::begin(factors), std::end(factors));
     std::vector<Mistaken> all;
     for (const Factor& each : known)
         all.push_back({each.name, image_of(truth.image.width(), truth.image.height(), [&](int x, int y) {
@@ -92,13 +91,11 @@ std::vector<Mistaken> wrong_factors(const Truth& truth, std::size_t samples) {
 // Over the pixels that show an object, or over the others: the root of the mean square.
 double rms(const Image& a, const Image& b, const Truth& truth, bool objects) {
     double sum = 0, count = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) {
-            if (truth.shows_object(x, y) != objects) continue;
-            const Color difference = a(x, y) - b(x, y);
-            sum += dot(difference, difference);
-            count += 3;
-        }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (truth.mask[i] != objects) continue;
+        sum += squared_distance(a[i], b[i]);
+        count += 3;
+    }
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 

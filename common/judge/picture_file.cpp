@@ -39,7 +39,11 @@ public:
         for (rows_ = 0; rows_ < height_; ++rows_)
             for (int i = 0; i < 3 * width; ++i) values_.push_back(is_ppm_ ? code(maxval) : real());
         const int largest = is_ppm_ ? decode(maxval) : 0;
-        return {image_of(width, height_, [&](int x, int y) { return color(3 * (from_top(y) * width + x)); }), largest};
+        const auto pixel = [&](int x, int y) {
+            const float* rgb = &values_[static_cast<std::size_t>(3 * (from_top(y) * width + x))];
+            return Color{rgb[0], rgb[1], rgb[2]};
+        };
+        return {image_of(width, height_, pixel), largest};
     }
 
 private:
@@ -52,11 +56,6 @@ private:
 
     // The row as the file counts them: a PFM begins at the bottom.
     int from_top(int row) const { return is_ppm_ ? row : height_ - 1 - row; }
-
-    Color color(int i) const {
-        const float* rgb = values_.data() + i;
-        return {rgb[0], rgb[1], rgb[2]};
-    }
 
     static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 

@@ -11,9 +11,9 @@ struct PictureFile {
 };
 
 // Reads a picture from a binary stream: PPM, binary (P6) or in words (P3), sRGB with any largest code from 1 to 65535;
-// or PFM in colour (PF), linear floats of either byte order. Codes to 255 that were widened, to 1000 or 65535 say, are
-// read as codes to 255. Memory follows what the file holds, not what its header claims. Throws std::runtime_error whose
-// text is one line: what is wrong and, within the picture, in which row (0 at the top).
+// or PFM in colour (PF), linear floats of either byte order. Codes to 255 that were widened are read as codes to 255.
+// Memory follows what the file holds, not what its header claims. Throws std::runtime_error, one line: what is wrong
+// and, within the picture, in which row (0 at the top).
 PictureFile read_picture(std::istream& in);
 
 // The code in [0, 1] of a linear value, clamped to [0, 1], by the sRGB transfer function; 0 for nan.

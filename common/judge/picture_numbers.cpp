@@ -69,8 +69,7 @@ Spread scaled_spread(const std::vector<Numbers>& all, std::size_t i) {
 constexpr double accepted_joint_deviation = 7;
 
 // How far the named numbers, on their scales, are from the mean of others, in standard deviations along the ellipsoid
-// that these scatter in (Mahalanobis, 1936): an unlucky rule errs more and more alike, so more with less alike tells a
-// mistake.
+// that these scatter in (Mahalanobis, 1936).
 double joint_deviation(const Numbers& here, const std::vector<Numbers>& others) {
     const double n = static_cast<double>(others.size());
     std::vector<double> mean, difference;
@@ -89,15 +88,13 @@ double joint_deviation(const Numbers& here, const std::vector<Numbers>& others) 
     return std::sqrt(std::inner_product(whitened.begin(), whitened.end(), whitened.begin(), 0.0));
 }
 
-// The errors of a picture as one number a pixel, 0 where it shows no object. A brightness error, which all pixels
-// share, is taken out.
+// The errors of a picture as one number a pixel, 0 where it shows no object, less the brightness error that all share.
 std::vector<double> errors_of(const Image& picture, const Truth& truth, double brightness) {
     std::vector<double> errors;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) {
-            const Color error = picture(x, y) - (1 + brightness) * truth.image(x, y);
-            errors.push_back(truth.mask[errors.size()] ? error.x + error.y + error.z : 0);
-        }
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        const Color error = picture[i] - (1 + brightness) * truth.image[i];
+        errors.push_back(truth.mask[i] ? error.x + error.y + error.z : 0);
+    }
     return errors;
 }
 
@@ -190,7 +187,7 @@ bool Comparison::fits() const {
 Comparison compared(const Numbers& here, const std::vector<Numbers>& correct, Accepted accepted) {
     const Numbers scaled_here = scaled(here);
     std::vector<Numbers> scaled_correct;
-    for (const Numbers& numbers : correct) scaled_correct.push_back(scaled(numbers));
+    std::transform(correct.begin(), correct.end(), std::back_inserter(scaled_correct), scaled);
     Comparison comparison{{}, named_numbers};
     const auto add = [&](std::size_t i, double deviations) {
         const Spread plain = spread_of(correct, i), spread = scaled_spread(scaled_correct, i);

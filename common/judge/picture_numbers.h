@@ -2,12 +2,10 @@
 // are, and how far such numbers may be from theirs: a spread over seeds, since pixels that share rules err alike.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "experiments/picture_error.h"
 
 #include <string>
 #include <vector>
-
-#include "experiments/picture_error.h"
 
 // RMSE, brightness and correlation as image_error has them; "alike", the fraction of neighbours whose errors differ by
 // less than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels; then

@@ -1,7 +1,6 @@
 #include "numerics/portable_math.h"
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -45,8 +44,7 @@ Sum product(const Sum& a, const Sum& b) {
 }
 
 // e^(hi + lo) for |lo| <= ulp(hi), as 2^k e^r with |r| <= ln(2) / 2.
-// e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!), cut off below 2^-57; the even and the odd powers are summed apart
-// because two short chains of dependent operations run side by side.
+// e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!), cut off below 2^-57: even and odd powers apart, side by side.
 double exp_of_sum(double hi, double lo) {
     constexpr double even[] = {1.0 / 2, 1.0 / 24, 1.0 / 720, 1.0 / 40320, 1.0 / 3628800, 1.0 / 479001600};
     constexpr double odd[] = {1.0 / 6, 1.0 / 120, 1.0 / 5040, 1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800};

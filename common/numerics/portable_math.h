@@ -1,8 +1,6 @@
-// Elementary functions that give the same bits on every machine, and the guards that keep them.
-//
-// libm's exp, log, pow, sin differ between libraries and even between processors running one binary. The functions here
-// use + - * / floor and integers only, which IEEE 754 defines to the last bit. Every other file includes this header
-// first, so that its guards hold there.
+// Elementary functions that give the same bits on every machine, and the guards that keep them. libm's differ between
+// libraries and even between processors running one binary; those here use + - * / floor and integers only, which IEEE
+// 754 defines to the last bit. Every other file includes this header first, so that its guards hold there.
 #pragma once
 
 // Switched off for one purpose: a portability check has to see that other arithmetic does change the output.
@@ -70,8 +68,7 @@ double log(double x);
 double pow(double x, double y);
 
 // Sine and cosine of an angle given in turns (1 turn = 2 pi radians), so that the reduction to an octant is exact.
-// Error at most 1 ulp each; multiples of a quarter turn give exactly 0 (of either sign) and +-1. Domain: any finite
-// number; an infinity or nan gives two nan.
+// Error at most 1 ulp each, none at multiples of a quarter turn; an infinity or nan gives two nan.
 struct SineCosine {
     double sine, cosine;
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
 using portable::pi;
 
@@ -33,8 +32,7 @@ struct Elevation {
 // Bulirsch's complete elliptic integral
 //     cel(q, p, a, b) = integral from 0 to pi/2 of (a cos^2 + b sin^2) / ((cos^2 + p sin^2) sqrt(cos^2 + q^2 sin^2)),
 // p given by its root (Bulirsch, "Numerical calculation of elliptic integrals and elliptic functions III", Numerische
-// Mathematik 1969). It converges quadratically: 9 steps suffice for every q >= 2^-60, and with a fixed count a loop
-// over many q vectorises.
+// Mathematik 1969): 9 steps suffice for every q >= 2^-60, and with a fixed count a loop over many q vectorises.
 double cel(double q, double root_p, double a, double b) {
     double e = q, m = 1, p = root_p;
     b /= p;
@@ -92,17 +90,6 @@ void require_no_known_part(KnownPart known) {
 }
 
 }  // namespace
-
-double Covariance::operator()(double squared_chord) const {
-    covariances(&squared_chord, 1);
-    return squared_chord;
-}
-
-double Covariance::hemisphere_integral(double cos_theta, KnownPart known) const {
-    std::vector<double> one{cos_theta};
-    hemisphere_integrals(one, known);
-    return one[0];
-}
 
 Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
     if (!(smoothness > 1 && smoothness < 2))

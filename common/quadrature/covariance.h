@@ -1,8 +1,7 @@
-// Covariance functions on the sphere and their exact integrals over the hemisphere.
-//
-// A covariance k depends on two directions through the squared chord r^2 = |w - w'|^2 = 2 - 2 w.w' alone: rotating a
-// set of directions about the up axis changes neither Q nor z. What Bayesian quadrature needs of it is closed here
-// (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf. 1991):
+// Covariance functions on the sphere and their exact integrals over the hemisphere. A covariance k depends on two
+// directions through the squared chord r^2 = |w - w'|^2 = 2 - 2 w.w' alone: rotating a set of directions about the up
+// axis changes neither Q nor z. What Bayesian quadrature needs of it is closed here (O'Hagan, "Bayes-Hermite
+// quadrature", J. Stat. Plan. Inf. 1991):
 //     z(w)  = integral over H of k(w, w') p(w') dw',     zz = integral over H of z(w) p(w) dw,
 // where p is the known part of the integrand f p, and the Gaussian process models f alone.
 #pragma once
@@ -37,10 +36,6 @@ public:
     virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
     virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
 
-    // k and z of one number.
-    double operator()(double squared_chord) const;
-    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const;
-
     // Its name and parameter, for an error message.
     virtual std::string description() const = 0;
 };
@@ -51,8 +46,8 @@ public:
 // form at s = 3/2.
 class Sobolev final : public Covariance {
 public:
-    // Smoothness s in (1, 2); at the default 3/2, k(r) = 8/3 - r and z is an elliptic integral.
-    // Throws std::invalid_argument for any other s.
+    // Smoothness s in (1, 2), std::invalid_argument for any other; at 3/2, k(r) = 8/3 - r and z is an elliptic
+    // integral.
     explicit Sobolev(double smoothness = 1.5);
 
     void covariances(double* squared_chords, std::size_t count) const override;

@@ -5,8 +5,7 @@
 //
 // The prior mean is zero, or that of a uniform light of unknown radiance: with h_j what this light would give at sample
 // j and b = pi its integral, the weights become Q^-1 z + Q^-1 h (b - h^T Q^-1 z) / (h^T Q^-1 h), the best unbiased ones
-// (generalised least squares; O'Hagan 1991, section 3). Then sum of weights_j h_j = pi: such a light is integrated
-// exactly.
+// (generalised least squares; O'Hagan 1991, section 3).
 //
 // Q, z and the weights depend on the directions alone, never on f: a process is made once, and serves any number of
 // integrals and threads.
@@ -57,8 +56,7 @@ public:
     double variance() const { return variance_; }
 
     // The amplitude a of k that makes the values most likely, a^2 = Y^T Q^-1 Y / n; for an unknown mean of what its
-    // best estimate leaves, and over n - 1. This and all below throw std::invalid_argument for an unknown mean and
-    // n = 1: the one value is the mean, and nothing is left to tell an amplitude from.
+    // best estimate leaves, and over n - 1. This and all below throw std::invalid_argument for that and n = 1.
     double amplitude(const std::vector<double>& values) const;
 
     // Standard error that the process predicts for integral(values): amplitude * sqrt(variance).
@@ -70,8 +68,7 @@ public:
     double log_evidence(const std::vector<double>& values) const;
 
     // What each value differs by from its prediction by all the others: (Q^-1 Y)_i / (Q^-1)_ii (ibid., eq. 5.12),
-    // Q^-1 less Q^-1 h h^T Q^-1 / (h^T Q^-1 h) in its place for an unknown mean.
-    // inverse: inverse_covariance(), made once for any number of values.
+    // Q^-1 less Q^-1 h h^T Q^-1 / (h^T Q^-1 h) in its place for an unknown mean. inverse: inverse_covariance().
     std::vector<double> leave_one_out(const std::vector<double>& values, const Matrix& inverse) const;
 
 private:

@@ -1,10 +1,7 @@
-// Directions in the unit hemisphere around the up axis y, and frames that carry them to a surface.
-//
-// Integrals are with respect to solid angle; the hemisphere H has 2 pi. A direction's elevation cosine is its y
-// component, cos(theta).
+// Directions in the unit hemisphere H around the up axis y, and frames that carry them to a surface. Integrals are with
+// respect to solid angle. A direction's elevation cosine is its y component, cos(theta).
 #pragma once
 
-#include "numerics/portable_math.h"
 #include "numerics/random.h"
 #include "numerics/vec3.h"
 

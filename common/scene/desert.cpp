@@ -1,14 +1,10 @@
-// The built-in environment: radiance as a function of direction, in units of the brightest thing in the picture.
 #include "scene/desert.h"
 
-#include <cerrno>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-
+#include "scene/input.h"
 #include "scene/radiance_hdr.h"
+
+#include <cstdint>
+#include <optional>
 
 namespace {
 
@@ -178,12 +174,7 @@ EnvironmentMap load_environment(const std::string& name) {
     if (name.empty() || name == "desert") return built_in_environment();
     if (name == "bright-desert") return bright_desert();
     if (name == "black-and-white") return black_and_white();
-    if (std::filesystem::is_directory(name)) throw std::runtime_error(name + ": this is a directory; name a .hdr file");
-    std::ifstream in(name, std::ios::binary);
-    if (!in) throw std::runtime_error(name + ": cannot open this environment: " + std::strerror(errno));
-    try {
-        return read_radiance_hdr(in);
-    } catch (const std::exception& error) {
-        throw std::runtime_error(name + ": " + error.what());
-    }
+    std::optional<EnvironmentMap> map;
+    read_input(name, [&](std::istream& in) { map = read_radiance_hdr(in); });
+    return std::move(*map);
 }

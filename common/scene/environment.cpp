@@ -7,20 +7,17 @@
 #include <utility>
 
 EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
-    : grid_(width, height), height_(height), rgb_(std::move(rgb)) {
-    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " texels";
-    if (width < 1 || height < 1 || std::int64_t{width} * height > max_texels)
-        throw std::invalid_argument("environment map of " + size + ": it takes 1 to " + std::to_string(max_texels));
-    if (rgb_.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-        throw std::invalid_argument("environment map of " + size + " with " + std::to_string(rgb_.size()) + " values");
+    : grid_(width, height), rgb_(std::move(rgb)) {
+    const std::int64_t texels = std::int64_t{width} * height;
+    if (width < 1 || height < 1 || texels > max_texels || rgb_.size() != static_cast<std::size_t>(3 * texels))
+        throw std::invalid_argument("environment map of " + std::to_string(width) + " x " + std::to_string(height) +
+                                    " texels with " + std::to_string(rgb_.size()) + " values: it takes 1 to " +
+                                    std::to_string(max_texels) + ", of three values each");
+    for (const float radiance : rgb_)
+        if (!(radiance >= 0 && radiance <= FLT_MAX))
+            throw std::invalid_argument("environment map: " + std::to_string(radiance) +
+                                        " is not a finite radiance >= 0");
     rgb_.resize(rgb_.size() + beyond);
-    for (std::size_t i = 0; i < rgb_.size(); ++i) {
-        if (rgb_[i] >= 0 && rgb_[i] <= FLT_MAX) continue;
-        const std::size_t columns = static_cast<std::size_t>(width);
-        throw std::invalid_argument("environment map, row " + std::to_string(i / 3 / columns) + ", column " +
-                                    std::to_string(i / 3 % columns) + ": " + std::to_string(rgb_[i]) +
-                                    " is not a finite radiance >= 0");
-    }
 }
 
 // The last column and the last row count only in a map that has no other: they have no width.

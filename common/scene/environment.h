@@ -1,15 +1,12 @@
-// Light from infinitely far away: a map of radiance over all directions.
-//
-// A map of W x H texels has rows of constant elevation, row 0 around +y, and columns of constant azimuth, -z in the
-// middle and +x to the right of it. With u = (1 + atan2(x, -z) / pi) / 2 and v = acos(y) / pi, a direction meets
-// column floor(u (W - 1)) and row floor(v (H - 1)); the last of them are met only where u or v is 1.
+// Light from infinitely far away: a map of radiance over all directions. One of W x H texels has rows of constant
+// elevation, row 0 around +y, and columns of constant azimuth, -z in the middle and +x to the right of it. With u = (1
+// + atan2(x, -z) / pi) / 2 and v = acos(y) / pi, a direction meets column floor(u (W - 1)) and row floor(v (H - 1));
+// the last of them are met only where u or v is 1.
 #pragma once
 
-#include "numerics/portable_math.h"
 #include "numerics/vec3.h"
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -41,6 +38,7 @@ public:
     }
 
     int width() const { return width_; }
+    int height() const { return height_; }
 
 private:
     // To [0, last]; the order of the comparisons sends nan to 0.
@@ -89,19 +87,20 @@ public:
     EnvironmentMap(int width, int height, std::vector<float> rgb);
 
     int width() const { return grid_.width(); }
-    int height() const { return height_; }
+    int height() const { return grid_.height(); }
 
     // Texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as beyond says: a black texel,
     // for loops that take four floats at a time.
     static constexpr std::size_t beyond = 4;
     const float* texels() const { return rgb_.data(); }
+    Color texel(int i) const { return {rgb_[3 * i], rgb_[3 * i + 1], rgb_[3 * i + 2]}; }
 
     // How directions fall on the texels.
     const TexelGrid& grid() const { return grid_; }
 
-    // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
-    Color radiance(Vec3 direction) const { return texel(grid_.texel_index(direction.x, direction.y, direction.z)); }
-    Color radiance(Direction direction) const {
+    // Linear RGB radiance that arrives from a direction of unit length, a Vec3 or a Direction: that of its texel.
+    template <class Vector = Vec3>
+    Color radiance(Vector direction) const {
         return texel(grid_.texel_index(direction.x, direction.y, direction.z));
     }
 
@@ -109,12 +108,6 @@ public:
     Color interpolated_radiance(Vec3 direction) const;
 
 private:
-    Color texel(int index) const {
-        const float* rgb = texels() + 3 * static_cast<std::ptrdiff_t>(index);
-        return {rgb[0], rgb[1], rgb[2]};
-    }
-
     TexelGrid grid_;
-    int height_;
     std::vector<float> rgb_;
 };

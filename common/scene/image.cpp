@@ -12,10 +12,9 @@ std::string header(const char* magic, const Image& image, const char* scale) {
            scale + '\n';
 }
 
-// The bytes of linear values. Byte k begins at threshold k, where the transfer function is (k - 1/2) / 255: its inverse
-// is computed 255 times instead of the function for every value. The function is nowhere steeper than 12.92, so
-// thresholds are at least 1 / 3295 apart, and in a step of 1 / 4096 there is one at most: the byte where the step
-// begins and one comparison decide.
+// The bytes of linear values. Byte k begins at threshold k, where the transfer function is (k - 1/2) / 255. It is
+// nowhere steeper than 12.92, so thresholds are at least 1 / 3295 apart, and in a step of 1 / 4096 there is one at
+// most: the byte where the step begins and one comparison decide.
 class SrgbEncoder {
 public:
     SrgbEncoder() {
@@ -51,17 +50,8 @@ void append_little_endian(std::string& bytes, float value) {
 Image::Image(int width, int height)
     : width_(width), height_(height), rgb_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-std::size_t Image::offset(int x, int y) const {
-    return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
-}
-
-Color Image::operator()(int x, int y) const {
-    const float* rgb = rgb_.data() + offset(x, y);
-    return {rgb[0], rgb[1], rgb[2]};
-}
-
 void Image::set(int x, int y, Color color) {
-    float* rgb = rgb_.data() + offset(x, y);
+    float* rgb = &rgb_[3 * index(x, y)];
     rgb[0] = static_cast<float>(color.x);
     rgb[1] = static_cast<float>(color.y);
     rgb[2] = static_cast<float>(color.z);

@@ -15,14 +15,16 @@ public:
     int height() const { return height_; }
 
     // The pixel in column x of row y; row 0 is the top.
-    Color operator()(int x, int y) const;
+    Color operator()(int x, int y) const { return (*this)[index(x, y)]; }
     void set(int x, int y, Color color);
 
-    // The channels of all pixels, row after row from the top.
+    // The pixels row after row from the top, and all their channels.
+    std::size_t size() const { return rgb_.size() / 3; }
+    Color operator[](std::size_t i) const { return {rgb_[3 * i], rgb_[3 * i + 1], rgb_[3 * i + 2]}; }
     const std::vector<float>& rgb() const { return rgb_; }
 
 private:
-    std::size_t offset(int x, int y) const;
+    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
 
     int width_, height_;
     std::vector<float> rgb_;

@@ -1,7 +1,7 @@
 // The irradiance of a surface that nothing shadows, for every orientation that it can have:
 //     E(n) = integral of L cos(theta) dw over the hemisphere around the normal n,
-// a table as in Ramamoorthi & Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001,
-// but without their nine harmonics, which err by a few percent.
+// a table in place of nine harmonics, which err by a few percent (Ramamoorthi & Hanrahan, "An efficient representation
+// for irradiance environment maps", SIGGRAPH 2001).
 #pragma once
 
 #include "scene/environment.h"

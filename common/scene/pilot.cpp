@@ -46,6 +46,7 @@ ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, c
     const PrefilteredEnvironment* const averages =
         settings.prior.known == KnownPart::light ? &light.averages() : nullptr;
     settings.show = Show::error;
+    // A pool, and one of eight, as it changes nothing that is expected of a pixel's error.
     if (settings.method == Method::direct) settings.method = Method::pool;
     settings.pool = std::min<std::size_t>(settings.pool, 8);
     const auto predicted = [&](std::size_t samples) {

@@ -20,8 +20,7 @@ struct ChosenSamples {
 
 // The fewest samples, but at least 2, with which the predicted RMSE is at most the target: by pilots with 2, 4, 8, ...
 // samples (from 4 on where a known sun takes some of them), and between the last two by the power of the samples that
-// leads from the one to the other. Pilots of the method direct take pools, and pools at most eight processes: neither
-// changes what is expected of a pixel's error. most: at least 4. Throws std::runtime_error, with the RMSE that they
-// have, if so many do not suffice, and what the Gaussian processes throw.
+// leads from the one to the other. most: at least 4. Throws std::runtime_error, with the RMSE that they have, if so
+// many do not suffice, and what the Gaussian processes throw.
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const Light& light,
                           RenderSettings settings);

@@ -125,8 +125,7 @@ Color standard_error(const PixelError& error, Color picture_amplitude, std::size
 
 double root_mean_square(const Image& errors, double pixels) {
     double sum = 0;
-    for (int y = 0; y < errors.height(); ++y)
-        for (int x = 0; x < errors.width(); ++x) sum += dot(errors(x, y), errors(x, y));
+    for (std::size_t i = 0; i < errors.size(); ++i) sum += dot(errors[i], errors[i]);
     return std::sqrt(sum / (3 * pixels));
 }
 

@@ -1,6 +1,5 @@
 // What the samples of a pixel say of its error, without the truth: the variance a^2 U of each colour, where a^2 is told
 // by what the samples are and U by where they are.
-//
 // A Gaussian process of amplitude a errs with the variance a^2 V (gaussian_process.h), so that, with the reflected
 // light (albedo / pi) I,
 //     a^2 = (albedo / pi)^2 Y^T Q^-1 Y / n,   U = V.

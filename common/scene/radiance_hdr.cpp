@@ -68,22 +68,13 @@ private:
 
     void read_size(const std::string& line) {
         std::istringstream words(line);
-        std::string y, height, x, width, more;
-        words >> y >> height >> x >> width;
-        if (y != "-Y" || x != "+X" || words >> more)
+        std::string y, x, more;
+        words >> y >> height_ >> x >> width_;
+        if (!words || words >> more || y != "-Y" || x != "+X" || width_ < 1 || height_ < 1)
             fail("resolution line " + quote(line) + " is not supported, only '-Y height +X width' is");
-        height_ = size(height);
-        width_ = size(width);
         if (std::int64_t{width_} * height_ > EnvironmentMap::max_texels)
-            fail("a picture of " + width + " x " + height + " texels exceeds the limit of " +
-                 std::to_string(EnvironmentMap::max_texels) + " texels");
-    }
-
-    int size(const std::string& word) const {
-        const bool digits = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
-        const int value = digits && word.size() <= 9 ? std::stoi(word) : 0;
-        if (value >= 1 && value <= EnvironmentMap::max_texels) return value;
-        fail("size " + quote(word) + " is not a whole number from 1 to " + std::to_string(EnvironmentMap::max_texels));
+            fail("a picture of " + std::to_string(width_) + " x " + std::to_string(height_) +
+                 " texels exceeds the limit of " + std::to_string(EnvironmentMap::max_texels));
     }
 
     unsigned char byte() {

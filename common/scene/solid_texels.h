@@ -1,7 +1,6 @@
 // The texels of an environment map as pieces of the sphere: what averages over directions are made of.
 #pragma once
 
-#include "numerics/portable_math.h"
 #include "scene/environment.h"
 
 #include <algorithm>
@@ -21,11 +20,7 @@ public:
     int columns() const { return columns_; }
     int rows() const { return rows_; }
 
-    Color operator()(int row, int column) const {
-        const std::ptrdiff_t texel = static_cast<std::ptrdiff_t>(row / down_) * map_.width() + column / across_;
-        const float* rgb = map_.texels() + 3 * texel;
-        return {rgb[0], rgb[1], rgb[2]};
-    }
+    Color operator()(int row, int column) const { return map_.texel(row / down_ * map_.width() + column / across_); }
 
     // Of one texel of the row.
     double solid_angle(int row) const {

@@ -1,7 +1,6 @@
 #include "scene/sun.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "scene/solid_texels.h"
 
@@ -21,9 +20,8 @@ double all_light(const SolidTexels& texels) {
     return sum;
 }
 
-// The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966): texels in this
-// order make a compact piece of the map out of any stretch of them, so that few of the rays' strata have an edge
-// across.
+// The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966): any stretch of
+// texels in this order is a compact piece of the map, so that few of the rays' strata have an edge across.
 std::uint64_t z_order(std::uint64_t row, std::uint64_t column) {
     std::uint64_t order = 0;
     for (int bit = 0; bit < 27; ++bit) order |= (row >> bit & 1) << (2 * bit + 1) | (column >> bit & 1) << 2 * bit;
@@ -57,8 +55,7 @@ const Sun::Ray& Sun::ray(double u) const {
 EnvironmentMap Sun::without(bool sun) const {
     const float* texels = map_.texels();
     const std::size_t count = 3 * static_cast<std::size_t>(map_.width()) * static_cast<std::size_t>(map_.height());
-    std::vector<float> rgb(count);
-    if (sun) std::copy(texels, texels + count, rgb.begin());
+    std::vector<float> rgb = sun ? std::vector<float>(texels, texels + count) : std::vector<float>(count);
     for (const Texel& texel : texels_)
         for (std::size_t i = 3 * texel.index; i < 3 * texel.index + 3; ++i) rgb[i] = sun ? 0 : texels[i];
     return EnvironmentMap(map_.width(), map_.height(), std::move(rgb));

@@ -60,14 +60,14 @@ TEST_CASE("an environment map refuses sizes that do not match its values") {
     CHECK(contains(construction_error(std::numeric_limits<int>::min(), 1, {}), "it takes 1 to 67108864"));
 }
 
-TEST_CASE("an environment map names the row, the column and the value of a texel that is not a radiance") {
+TEST_CASE("an environment map names the value of a texel that is not a radiance") {
     const float infinity = std::numeric_limits<float>::infinity();
     for (const float bad : {-0.5f, infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
         std::vector<float> rgb(3 * 4 * 3, 0.25f);
         rgb[3 * (2 * 4 + 1) + 2] = bad;
         const std::string error = construction_error(4, 3, rgb);
         CAPTURE(error);
-        CHECK(contains(error, "row 2, column 1: " + std::to_string(bad)));
+        CHECK(contains(error, std::to_string(bad) + " is not"));
     }
 }
 

@@ -151,12 +151,12 @@ TEST_CASE("formats, orientations and sizes that are not supported are named") {
     CHECK(contains(reading_error(header("+X 1 -Y 1")), "'+X 1 -Y 1'"));
     CHECK(contains(reading_error(header("-Y 1 +X 1 2")), "'-Y 1 +X 1 2'"));
     CHECK(contains(reading_error(header("\x1b[2J\x01\xff")), "'?[2J?"));
-    CHECK(contains(reading_error(header("-Y 0 +X 1")), "size '0'"));
-    CHECK(contains(reading_error(header("-Y 1 +X -5")), "size '-5'"));
-    CHECK(contains(reading_error(header("-Y 1 +X")), "size ''"));
-    CHECK(contains(reading_error(header("-Y 1 +X 12px")), "size '12px'"));
-    CHECK(contains(reading_error(header("-Y 99999999999999999999 +X 1")), "size '99999999999999999999'"));
-    CHECK(contains(reading_error(header("-Y 8193 +X 8192")), "exceeds the limit of 67108864 texels"));
+    CHECK(contains(reading_error(header("-Y 0 +X 1")), "resolution line '-Y 0 +X 1'"));
+    CHECK(contains(reading_error(header("-Y 1 +X -5")), "resolution line"));
+    CHECK(contains(reading_error(header("-Y 1 +X")), "resolution line"));
+    CHECK(contains(reading_error(header("-Y 1 +X 12px")), "resolution line"));
+    CHECK(contains(reading_error(header("-Y 99999999999999999999 +X 1")), "resolution line"));
+    CHECK(contains(reading_error(header("-Y 8193 +X 8192")), "exceeds the limit of 67108864"));
 }
 
 TEST_CASE("headers that do not end are refused") {

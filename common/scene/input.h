@@ -22,7 +22,6 @@ struct InputRow {
     std::vector<double> numbers;
 };
 
-// The lines, ended in LF, CR LF or CR, that hold numbers, between white space or commas; what follows a '#' is a
-// comment. Throws std::runtime_error that names the line for what is no finite number or more rows than max_rows; and
-// if there is no row at all.
+// The lines, ended in LF, CR LF or CR, that hold numbers, between white space or commas, before a '#'. Throws
+// std::runtime_error that names the line for what is no finite number, and for none or more than max_rows of them.
 std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows);

@@ -1,4 +1,4 @@
-#include "experiments/double_double.h"
+#include "experiments/exact_weights.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/input.h"
+#include "scene/input.h"
 
 #include <algorithm>
 #include <cerrno>
