@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -176,15 +175,12 @@ void require_file_output(const std::string& command) {
 
 std::function<void(double)> terminal_progress(const char* name) {
     if (!isatty(STDERR_FILENO)) return nullptr;
-    using Clock = std::chrono::steady_clock;
-    return [name, start = Clock::now(), shown = Clock::now()](double done) mutable {
-        const Clock::time_point now = Clock::now();
-        const std::chrono::duration<double> elapsed = now - start, since_shown = now - shown;
-        if (done < 1 && since_shown.count() < 0.2) return;
-        shown = now;
-        if (done < 1)
-            std::fprintf(stderr, "\r%s: %3.0f %%, %.0f s left ", name, 100 * done, elapsed.count() * (1 - done) / done);
-        else
-            std::fprintf(stderr, "\r%*s\r", static_cast<int>(std::strlen(name)) + 24, "");
+    return [name, shown = 0](double done) mutable {
+        const int percent = static_cast<int>(100 * done);
+        if (percent == 100)
+            std::fprintf(stderr, "\r%*s\r", static_cast<int>(std::strlen(name)) + 7, "");
+        else if (percent > shown)
+            std::fprintf(stderr, "\r%s: %3d %%", name, percent);
+        shown = percent;
     };
 }

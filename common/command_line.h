@@ -116,5 +116,5 @@ int run_program(const char* name, const std::function<Outcome()>& body);
 // Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.
 void require_file_output(const std::string& command);
 
-// Shows on stderr how much of a long work is done and how many seconds are left, if stderr is a terminal.
+// Shows on stderr how much of a long work is done, if stderr is a terminal.
 std::function<void(double)> terminal_progress(const char* name);

@@ -2,10 +2,11 @@
 
 #include "experiments/picture_error.h"
 #include "experiments/statistics.h"
-#include "experiments/stopwatch.h"
 #include "scene/predicted_error.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
@@ -88,6 +89,22 @@ std::string prediction_columns(const PictureCost& row) {
 }
 
 }  // namespace
+
+double seconds_of(const std::function<void()>& action) {
+    double fewest = HUGE_VAL;
+    for (int runs = 0, calls = 1; runs < 4;) {
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < calls; ++i) action();
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        if (seconds.count() < 2e-3) {
+            calls *= 2;
+        } else {
+            fewest = std::min(fewest, seconds.count() / calls);
+            ++runs;
+        }
+    }
+    return fewest;
+}
 
 std::vector<RenderSettings> main_settings() {
     return {settings_of(Method::mc, 1, uniform),

@@ -29,6 +29,9 @@ struct PictureCost {
 std::vector<RenderSettings> main_settings();
 std::vector<RenderSettings> all_settings();
 
+// Fewest seconds of one call, of four measurements that take at least 2 ms each.
+double seconds_of(const std::function<void()>& action);
+
 // Each of the settings with each of the numbers of samples. Throws std::invalid_argument if the environment lights no
 // object: there is nothing to compare. progress is told the fraction that is done.
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<RenderSettings>& compared,

@@ -1,7 +1,6 @@
 #include "experiments/tradeoff.h"
 
 #include "experiments/statistics.h"
-#include "experiments/stopwatch.h"
 #include "quadrature/gaussian_process.h"
 #include "scene/desert.h"
 

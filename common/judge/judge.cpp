@@ -56,10 +56,7 @@ Outcome Judge::judge_picture_file() const {
     if (correct.samples > 1000) throw UsageError("judge: --samples: at most 1000 can be judged");
     const EnvironmentMap light = load_environment(environment);
     std::optional<PictureFile> picture;
-    read_input(file, [&](std::istream& in) {
-        if (in.peek() != 'P') throw std::runtime_error("neither a PPM nor a PFM; for a table give --integrand NAME");
-        picture = read_picture(in);
-    });
+    read_input(file, [&](std::istream& in) { picture = read_picture(in); });
     const PictureJudgement judgement = judge_picture(*picture, light, correct, terminal_progress("workbench"));
     const std::string codes = picture->maxval > 0 ? line("codes to %d", picture->maxval) : "linear floats";
     return {line("# %d x %d pixels, %s, beside correct ones of %s\n", picture->image.width(), picture->image.height(),

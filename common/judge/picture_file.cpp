@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <istream>
 #include <stdexcept>
 #include <streambuf>
@@ -28,13 +27,15 @@ public:
         for (int i = 0; i < 2 && bytes_.sgetc() != end_of_file; ++i) magic += static_cast<char>(bytes_.sbumpc());
         if (magic == "\x89P") fail("a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
         if (magic != "P3" && magic != "P6" && magic != "PF")
-            fail("not a picture that is known here: it should begin with P6 or P3 (PPM) or with PF (PFM in colour)");
+            fail(
+                "it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour); for a table give --integrand NAME");
         is_text_ = magic == "P3";
         is_ppm_ = magic != "PF";
         const int width = whole_number("width", max_side);
         height_ = whole_number("height", max_side);
         const int maxval = is_ppm_ ? whole_number("largest code", 65535) : 0;
-        if (!is_ppm_) read_byte_order();
+        // Of the scale, in units that nobody agreed on, only the sign counts.
+        if (!is_ppm_) little_endian_ = word("scale")[0] == '-';
         if (!is_text_) require_one_space();
         for (rows_ = 0; rows_ < height_; ++rows_)
             for (int i = 0; i < 3 * width; ++i) values_.push_back(is_ppm_ ? code(maxval) : real());
@@ -81,15 +82,6 @@ private:
         if (value >= least && value <= most) return value;
         fail("the " + what + " '" + text + "' is not a whole number from " + std::to_string(least) + " to " +
              std::to_string(most));
-    }
-
-    // The sign of the scale; its size, in units that nobody agreed on, is ignored.
-    void read_byte_order() {
-        const std::string text = word("scale");
-        char* end = nullptr;
-        const double scale = std::strtod(text.c_str(), &end);
-        if (*end != '\0' || !(scale < 0 || scale > 0)) fail("the scale '" + text + "' is not a number other than 0");
-        little_endian_ = scale < 0;
     }
 
     void require_one_space() {

@@ -7,7 +7,7 @@
 
 namespace {
 
-using portable::SineCosine;
+using portable::SineCosine, portable::sincos_turns;
 
 // The cells of the table, 1.4 degrees wide; it holds E at their corners.
 constexpr std::size_t columns = 256, rows = 128;
@@ -18,9 +18,9 @@ constexpr std::size_t columns = 256, rows = 128;
 class HemisphereIntegrals {
 public:
     HemisphereIntegrals() : flux_(parts * columns), integrals_(parts * (rows + 1) * columns) {
-        for (std::size_t i = 0; i <= rows; ++i) polar_.push_back(turns(0.5 * static_cast<double>(i) / rows));
+        for (std::size_t i = 0; i <= rows; ++i) polar_.push_back(sincos_turns(0.5 * static_cast<double>(i) / rows));
         for (std::size_t i = 0; i < columns / 2; ++i)
-            distances_.push_back(turns((static_cast<double>(i) + 0.5) / columns).cosine);
+            distances_.push_back(sincos_turns((static_cast<double>(i) + 0.5) / columns).cosine);
     }
 
     void add(Color light, Vec3 direction, std::size_t column) {
@@ -58,7 +58,8 @@ public:
         std::vector<float> rgb;
         for (std::size_t row = 0; row <= rows; ++row)
             for (std::size_t column = 0; column <= columns; ++column) {
-                const Vec3 normal = direction_of(polar_[row], turns(static_cast<double>(column) / columns - 0.5));
+                const Vec3 normal =
+                    direction_of(polar_[row], sincos_turns(static_cast<double>(column) / columns - 0.5));
                 const float* integral = integrals_.data() + row * columns + column % columns;
                 for (int channel = 0; channel < 3; ++channel) {
                     double sum = 0;
@@ -75,24 +76,18 @@ public:
 private:
     static constexpr std::size_t parts = 9;  // three axes for each colour
 
-    static SineCosine turns(double t) { return portable::sincos_turns(t); }
-
     std::vector<SineCosine> polar_;  // of the normals
     std::vector<double> distances_;  // cosines, from a corner to the middles of the columns on one side
     std::vector<double> flux_;       // [part][column] of the band at hand
     std::vector<float> integrals_;   // [part][row][column]
 };
 
-void require_finite_integrals(const EnvironmentMap& environment) {
-    const float* end = environment.texels() + 3 * environment.width() * environment.height();
-    if (*std::max_element(environment.texels(), end) > 1e36f)
-        throw std::runtime_error("the environment is too bright to be known: a radiance exceeds 1e36");
-}
-
 }  // namespace
 
 IrradianceMap::IrradianceMap(const EnvironmentMap& environment) : grid_(columns + 1, rows + 1) {
-    require_finite_integrals(environment);
+    const float* const light = environment.texels();
+    if (*std::max_element(light, light + 3 * environment.width() * environment.height()) > 1e36f)
+        throw std::runtime_error("the environment is too bright to be known: a radiance exceeds 1e36");
     const SolidTexels texels(environment, columns, rows);
     std::vector<SineCosine> azimuths;
     for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(texels.azimuth(i));

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "experiments/picture_cost.h"
 #include "experiments/picture_error.h"
-#include "experiments/stopwatch.h"
 #include "quadrature/gaussian_process.h"
 #include "scene/desert.h"
 #include "scene/render.h"
