@@ -52,7 +52,7 @@ std::string model_table(const std::vector<Column>& columns) {
     text += '\n';
     for (std::size_t i = 0; i < columns[0].judged.size(); ++i) {
         const auto& [model, noise, verdicts] = columns[0].judged[i];
-        text += line("%-20s %8g %6g", model.name(), model.parameter, noise);
+        text += line("%-20s %8g %6g", name_of(model.family, covariance_names), model.parameter, noise);
         for (const Column& column : columns) text += line(" %15.4g", column.judged[i].rmse());
         text += '\n';
     }

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-// A covariance with the names that a report prints.
 struct Model {
     CovarianceFamily family;
     double parameter;
@@ -18,8 +17,6 @@ struct Model {
 
     Model(CovarianceFamily its_family, double its_parameter)
         : family(its_family), parameter(its_parameter), covariance(make_covariance(family, parameter)) {}
-
-    const char* name() const { return name_of(family, covariance_names); }
 };
 
 // Incident luminance times cos(theta), shadows included, at so many points that pixels of the sphere scene show, drawn

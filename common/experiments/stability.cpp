@@ -11,8 +11,8 @@ namespace {
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
 
 std::string setting(const StabilityRow& row) {
-    return line("%-11s %7zu %-19s %9g ", name_of(row.set, sample_set_names), row.samples, row.model.name(),
-                row.model.parameter);
+    return line("%-11s %7zu %-19s %9g ", name_of(row.set, sample_set_names), row.samples,
+                name_of(row.model.family, covariance_names), row.model.parameter);
 }
 
 // How many decimal digits an error leaves of the 16 that a double has.

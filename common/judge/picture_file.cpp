@@ -108,8 +108,7 @@ private:
     float real() {
         std::uint32_t bits = 0;
         for (int k = 0; k < 4; ++k) bits |= byte() << 8 * (little_endian_ ? k : 3 - k);
-        float value;
-        std::memcpy(&value, &bits, sizeof value);
+        const auto value = portable::bit_cast<float>(bits);
         if (!std::isfinite(value)) fail("a value is infinite or no number");
         return value;
     }

@@ -23,15 +23,6 @@ double srgb_encoded(double linear);
 // all of it.
 Image stored(const Image& image, int maxval);
 
-// The image whose pixel in column x of row y is pixel(x, y).
-template <class Pixel>
-Image image_of(int width, int height, Pixel pixel) {
-    Image image(width, height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) image.set(x, y, pixel(x, y));
-    return image;
-}
-
 // The image with f of every channel of every pixel.
 template <class Function>
 Image each_channel(const Image& image, Function f) {

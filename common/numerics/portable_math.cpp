@@ -51,14 +51,12 @@ double exp_of_sum(double hi, double lo) {
     constexpr double inverse_ln2 = 0x1.71547652b82fep+0;
     if (!(hi < 710)) return hi + infinity;  // nan stays nan
     if (hi < -746) return 0;
-
     const double k = std::floor(hi * inverse_ln2 + 0.5);
     const Sum r = fast_two_sum(hi - k * ln2_hi, lo - k * ln2_lo);
     const double square = r.hi * r.hi;
     const double tail = square * (polynomial(even, square) + r.hi * polynomial(odd, square));
     const Sum linear = fast_two_sum(1, r.hi);
     const double mantissa = linear.hi + (linear.lo + (r.lo * linear.hi + tail));
-
     // Two steps, since 2^k alone can be too small or too large for a double although the result is not.
     const int exponent = static_cast<int>(k), half = exponent / 2;
     return mantissa * power_of_two(half) * power_of_two(exponent - half);
@@ -93,16 +91,13 @@ Sum three_halves_log(double x) {
     const auto [k, m] = decompose(x, 0x1.bb67ae8584caap-1);  // sqrt(3)/2
     const int nearest = m > 0x1.3988e1409212ep+0;            // sqrt(3/2)
     const double c = centre[nearest];
-
     // The remainder of the division is exact, since s_hi has 17 bits and denominator_hi 26.
     const double inverse = 1 / (m + c), s = (m - c) * inverse, s_hi = leading_bits<17>(s);
     const double denominator_hi = leading_bits<26>(m + c), denominator_lo = m - (denominator_hi - c);
     const double s_lo = (((m - c) - s_hi * denominator_hi) - s_hi * denominator_lo) * inverse;
-
     const double z = s * s, fourth = z * z;
     const double tail = s * fourth * (polynomial(even, fourth) + z * polynomial(odd, fourth));
     const double cube_lo = s_lo * (3 * s_hi * s + s_lo * s_lo);  // s^3 - s_hi^3
-
     const Sum linear = fast_two_sum(k * log_two.hi + log_centre[nearest].hi, 3 * s_hi);
     const Sum cubic = fast_two_sum(linear.hi, s_hi * s_hi * s_hi);
     const double rest = (tail + cube_lo) + (k * log_two.lo + log_centre[nearest].lo);
@@ -147,7 +142,6 @@ SineCosine sincos_turns(double turns) {
         1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
     // 2 pi = two_pi_hi + two_pi_lo; two_pi_hi has 26 bits.
     constexpr double two_pi_hi = 0x1.921fb5p+2, two_pi_lo = 0x1.110b4611a6263p-24;
-
     // Exact; it would not be so for small negative numbers.
     const double fraction = std::fabs(turns) < 1 ? turns : turns - std::floor(turns);
     if (fraction != fraction) return {nan, nan};
@@ -155,7 +149,6 @@ SineCosine sincos_turns(double turns) {
     const int octant = static_cast<int>(std::floor(8 * fraction)) + 8;
     const int quadrant = (octant + 1) / 2 - 4;
     const double t = fraction - 0.25 * quadrant;
-
     const double t_hi = leading_bits<26>(t);
     const Sum x = fast_two_sum(t_hi * two_pi_hi, t_hi * two_pi_lo + (t - t_hi) * (two_pi_hi + two_pi_lo));
     const double square = x.hi * x.hi;
@@ -163,7 +156,6 @@ SineCosine sincos_turns(double turns) {
     const double sine = x.hi + (x.lo * parabola.hi + x.hi * square * polynomial(sine_tail, square));
     const double cosine =
         parabola.hi + (parabola.lo + (square * square * polynomial(cosine_tail, square) - x.hi * x.lo));
-
     // The sum of two angles: products with 0 and 1 are exact, and no branch depends on the angle.
     constexpr double sine_of_quadrants[] = {0, 1, 0, -1};
     const double s = sine_of_quadrants[quadrant & 3], c = sine_of_quadrants[(quadrant + 1) & 3];
@@ -183,19 +175,15 @@ void check_arithmetic() {
     volatile double above_one = 1 + 0x1p-30, below_one = 1 - 0x1p-30;
     volatile double quarter_ulp = 0x1p-54, three_quarter_ulp = 3 * 0x1p-54;
     volatile double smallest_normal = DBL_MIN, smallest_subnormal = 0x1p-1074;
-
     const double rounded_up = one + quarter_ulp, rounded_down = one + three_quarter_ulp;
     require(rounded_up == 1 && rounded_down == 1 + DBL_EPSILON, "the rounding mode is not to nearest",
             "restore it with fesetround(FE_TONEAREST)");
-
     const double large = one;
     require((large + quarter_ulp) - large == 0, "a sum keeps more bits than a double has, or was reordered",
             "compile with -msse2 -mfpmath=sse on 32-bit x86, and without -ffast-math and -fassociative-math");
-
     // (1 + 2^-30)(1 - 2^-30) rounds to 1; a fused operation would keep the -2^-60.
     require(above_one * below_one + minus_one == 0, "a * b + c is contracted to a fused multiply-add",
             "compile with -ffp-contract=off");
-
     // The product of the smallest subnormal number is 0 if subnormal operands are taken for 0.
     require(bits_of(smallest_normal * half) != 0 && smallest_subnormal * huge == 0x1p-51,
             "subnormal numbers are flushed to zero", "link without -ffast-math and -Ofast, and do not set FTZ or DAZ");

@@ -43,18 +43,15 @@ Real polynomial(const double (&c)[N], Real x) {
     return sum;
 }
 
-// The bits of a double, and the double of such bits.
-inline std::uint64_t bits_of(double x) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
+// The value of another type that has the same bits.
+template <class To, class From>
+To bit_cast(From from) {
+    To to;
+    std::memcpy(&to, &from, sizeof to);
+    return to;
 }
-
-inline double from_bits(std::uint64_t bits) {
-    double x;
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
-}
+inline std::uint64_t bits_of(double x) { return bit_cast<std::uint64_t>(x); }
+inline double from_bits(std::uint64_t bits) { return bit_cast<double>(bits); }
 
 // e^x. Error at most 1 ulp (unit in the last place). exp(-inf) = 0, exp(inf) = inf, exp(nan) = nan; overflow gives inf,
 // underflow goes through the subnormal numbers to 0.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 
 namespace {
 
@@ -40,8 +39,7 @@ private:
 };
 
 void append_little_endian(std::string& bytes, float value) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
+    const auto bits = portable::bit_cast<std::uint32_t>(value);
     for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(static_cast<unsigned char>(bits >> shift));
 }
 

@@ -30,6 +30,15 @@ private:
     std::vector<float> rgb_;
 };
 
+// The image whose pixel in column x of row y is pixel(x, y).
+template <class Pixel>
+Image image_of(int width, int height, Pixel pixel) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) image.set(x, y, pixel(x, y));
+    return image;
+}
+
 // The linear value in [0, 1] of a code in [0, 1]: the inverse of the sRGB transfer function (IEC 61966-2-1).
 double srgb_decoded(double code);
 

@@ -19,15 +19,13 @@ struct Samples {
 
 Samples samples_of(const Scene& scene, const Light& light, const Hit& hit, const PlacedRule& placed) {
     const auto& [rule, caps, process] = *placed.rule;
-    std::vector<Direction> directions;
-    for (const WeightedDirection& each : rule) directions.push_back(placed.frame.to_world(each.direction));
-    Samples samples{{}, std::vector<Color>(rule.size())};
+    Samples samples;
     for (std::size_t j = 0; j < rule.size(); ++j) {
-        samples.visible.push_back(is_shadowed(scene, hit, directions[j]) ? 0 : 1);
-        if (!caps.empty())
-            samples.light[j] = caps[j]->radiance(directions[j]);
-        else if (samples.visible[j] > 0)
-            samples.light[j] = light.environment().radiance(directions[j]);
+        const Direction direction = placed.frame.to_world(rule[j].direction);
+        const bool visible = !is_shadowed(scene, hit, direction);
+        const Color seen = visible ? light.environment().radiance(direction) : Color{};
+        samples.visible.push_back(visible);
+        samples.light.push_back(caps.empty() ? seen : caps[j]->radiance(direction));
     }
     return samples;
 }
@@ -130,12 +128,9 @@ double root_mean_square(const Image& errors, double pixels) {
 }
 
 Image grey_scale(const Image& errors, double white) {
-    Image grey(errors.width(), errors.height());
-    for (int y = 0; y < errors.height(); ++y)
-        for (int x = 0; x < errors.width(); ++x) {
-            const double error = std::sqrt(dot(errors(x, y), errors(x, y)) / 3);
-            const double level = white > 0 ? error / white : 0;
-            grey.set(x, y, {level, level, level});
-        }
-    return grey;
+    return image_of(errors.width(), errors.height(), [&](int x, int y) {
+        const double error = std::sqrt(dot(errors(x, y), errors(x, y)) / 3);
+        const double level = white > 0 ? error / white : 0;
+        return Color{level, level, level};
+    });
 }
