@@ -95,6 +95,11 @@ TEST_CASE("a number just inside the accepted deviations fits, and one just outsi
             CHECK(fits(i, 0.01 * portable::exp(0.999 * r), correct));
             CHECK(!fits(i, 0.01 * portable::exp(1.001 * r), correct));
         }
+    // The same of errors as small as many samples leave.
+    std::vector<Numbers> small = correct_pictures(0, 1.1);
+    for (Numbers& numbers : small) numbers[0] *= 1e-4;
+    CHECK(fits(0, 1e-6 * portable::exp(0.999 * reach), small));
+    CHECK(!fits(0, 1e-6 * portable::exp(1.001 * reach), small));
     // Brightness as it is; its least deviation is 0.001.
     CHECK(fits(1, 0.01 + 0.00499, correct_pictures(1, 1)));
     CHECK(!fits(1, 0.01 + 0.00501, correct_pictures(1, 1)));
