@@ -2,7 +2,7 @@
 
 #include "experiments/picture_error.h"
 #include "experiments/statistics.h"
-#include "scene/predicted_error.h"
+#include "scene/pilot.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,6 +33,11 @@ RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std:
     settings.width = settings.height = costs.size;
     settings.threads = std::max(1u, std::thread::hardware_concurrency());
     return settings;
+}
+
+// What pictures are compared with.
+Truth truth_for(const Light& light, const CostSettings& costs) {
+    return dense_truth(light, sized_as(costs, {}, 0), 10000);
 }
 
 // The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time.
@@ -136,7 +141,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
     const Light light(environment);
-    const Truth truth = dense_truth(light, sized_as(costs, {}, 0), 10000);
+    const Truth truth = truth_for(light, costs);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
@@ -187,5 +192,30 @@ std::string paired_table(const std::vector<PictureCost>& rows, bool timed) {
             line(" %14.4f", rows[i + 1].correlation) + prediction_columns(rows[i]) + prediction_columns(rows[i + 1]);
         text += (timed ? line(" %12.3g", rows[i + 1].seconds_per_megapixel) : "") + '\n';
     }
+    return text;
+}
+
+std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs) {
+    constexpr std::size_t most = 512;
+    const Light light(environment);
+    const Truth truth = truth_for(light, costs);
+    std::string text = "# method  pool placement        known   mean        asked samples rmse/asked\n";
+    for (const RenderSettings& asked :
+         {settings_of(Method::pool, 20, uniform), settings_of(Method::pool, 20, cosine_fibonacci, known_cosine),
+          settings_of(Method::pool, 20, cosine_fibonacci, known_light)})
+        for (const double target : {0.02, 0.01, 0.005, 0.0025}) {
+            RenderSettings settings = sized_as(costs, asked, most);
+            text += name_columns(settings) + line(" %10g", target);
+            try {
+                settings.samples = samples_for(target, most, sphere_scene(), light, settings).samples;
+            } catch (const std::runtime_error&) {
+                text += "       -          -\n";
+                break;
+            }
+            RootMeanSquare rmse;
+            for (const std::uint64_t last = settings.seed + 4; settings.seed != last; ++settings.seed)
+                rmse.add(image_error(render(sphere_scene(), light, settings), truth).rmse);
+            text += line(" %7zu %10.2f\n", settings.samples, rmse.value() / target);
+        }
     return text;
 }
