@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <algorithm>
+
 namespace {
 
 constexpr long max_lattice_samples = 1000000;
@@ -34,6 +36,10 @@ ModelOptions::ModelOptions(ModelSettings& s)
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
       seed(seed_option("of the random numbers (default 1)", s.seed)) {}
 
+Option& ModelOptions::of_process(const std::string& name) {
+    return *std::find_if(process.begin(), process.end(), [&](const Option& option) { return option.name == name; });
+}
+
 void require_closed_form(const ModelSettings& settings) {
     const bool closed = settings.covariance == CovarianceFamily::sobolev && settings.smoothness == 1.5;
     if (knows_cosine(settings.prior.known) && !closed)
@@ -49,7 +55,7 @@ RenderOptions::RenderOptions(RenderSettings& s)
                       count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
     for (Option& option : process) option = idle_while(no_process, option);
-    Option& known = process[4];
+    Option& known = of_process("known");
     known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
                           "; the last two for sobolev with smoothness 1.5");
     known.idle = [&s, no_process] { return s.prior.known == KnownPart::light ? "" : no_process(); };

@@ -15,6 +15,9 @@ struct ModelOptions {
     Option placement, seed;
 
     explicit ModelOptions(ModelSettings& settings);
+
+    // The option of the process that has this name.
+    Option& of_process(const std::string& name);
 };
 
 // Throws UsageError for a known part with which the covariance has no closed form.

@@ -116,7 +116,7 @@ std::vector<Integrand> integrands_named(const std::string& name) {
 
 std::vector<Option> ErrorTables::options() {
     ModelOptions model(settings);
-    model.process[2].idle = nullptr;  // the column se_error always has a length-scale
+    model.of_process("length-scale").idle = nullptr;  // the column se_error always has a length-scale
     return joined(
         {{name_option("integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)", integrand),
           {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",

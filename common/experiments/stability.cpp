@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace {
 
@@ -67,6 +68,31 @@ std::string stability_verdict(const std::vector<StabilityRow>& rows) {
                        chosen);
 }
 
+// A line for each noise.
+std::string errors_table(const std::vector<StabilityRow>& rows) {
+    std::string text =
+        "# Largest errors of the weights over the largest weight, by the factor and by the inverse of Q, inf where "
+        "none\n"
+        "# has a digit; a matrix that the factor refuses is in a comment.\n"
+        "# set         samples covariance          parameter   noise  condition  by_factor by_inverse\n";
+    for (const StabilityRow& row : rows) {
+        text += (row.refused ? "# " : "  ") + setting(row) + line("%7g ", row.noise);
+        if (row.refused)
+            text += "refused\n";
+        else if (row.condition == 0)
+            text += line("%10s %10.2g %10s\n", "-", row.weight_error, "-");
+        else
+            text += line("%10.3g %10.2g %10.2g\n", row.condition, row.weight_error, row.inverse_error);
+    }
+    return text;
+}
+
+std::vector<double> product(const Matrix& a, const std::vector<double>& x) {
+    std::vector<double> b(a.rows());
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = std::inner_product(x.begin(), x.end(), a.row(i), 0.0);
+    return b;
+}
+
 // The sweeps: samples and noise; covariance and noise; sample set and noise.
 std::vector<StabilityRow> stability_rows() {
     std::vector<StabilityRow> rows;
@@ -113,9 +139,12 @@ std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& mod
         try {
             const GaussianProcess process(*model.covariance, noise, directions);
             row.weight_error = exact.error_of(process.weights(), noise, process.cholesky());
-            if (n <= 1000)
+            if (n <= 1000) {
+                const Matrix inverse = process.inverse_covariance();
                 row.condition = row_sum_norm(symmetric(covariance_matrix(*model.covariance, noise, directions))) *
-                                row_sum_norm(process.inverse_covariance());
+                                row_sum_norm(inverse);
+                row.inverse_error = exact.error_of(product(inverse, process.z()), noise, process.cholesky());
+            }
         } catch (const NotPositiveDefinite&) {
             row.refused = true;
         }
@@ -124,9 +153,15 @@ std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& mod
     return rows;
 }
 
+std::vector<Option> Stability::options() {
+    return {{"all", "", "also every setting by itself", [this](const std::string&) { all = true; }}};
+}
+
 std::string Stability::report() const {
     const std::vector<StabilityRow> rows = stability_rows();
-    return "# Where the arithmetic breaks: the weights of a double against those with 32 digits, from the directions "
-           "on.\n" +
-           digits_table(rows) + stability_verdict(rows);
+    const std::string text =
+        "# Where the arithmetic breaks: the weights of a double against those with 32 digits, from the directions "
+        "on.\n" +
+        digits_table(rows) + stability_verdict(rows);
+    return all ? text + "\n\n" + errors_table(rows) : text;
 }

@@ -26,7 +26,9 @@ struct StabilityRow {
     double noise;
     bool refused = false;     // the covariance matrix; then the numbers below are 0
     double weight_error = 0;  // the largest, over the largest weight; infinite if no digit is right
-    double condition = 0;     // |Q| |Q^-1| by row_sum_norm, of up to 1000 samples: the inverse of more takes long
+
+    // Of up to 1000 samples, since the inverse of more takes long: |Q| |Q^-1| by row_sum_norm, and the error of Q^-1 z.
+    double condition = 0, inverse_error = 0;
 };
 
 // A row for each noise. The errors of the weights are those from the directions on: covariances, z, factor and
@@ -34,6 +36,8 @@ struct StabilityRow {
 std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& model, const std::vector<double>& noises);
 
 struct Stability {
-    std::vector<Option> options() { return {}; }
+    bool all = false;
+
+    std::vector<Option> options();
     std::string report() const;
 };

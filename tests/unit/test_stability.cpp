@@ -99,8 +99,47 @@ TEST_CASE("where the factor passes and no digit is right, there are no exact wei
     CHECK(!(row.weight_error < 0.1));
 }
 
-TEST_CASE("what is singular in double precision is refused, and works with noise") {
+TEST_CASE("residual ratios stay below 5 at extremes, LAPACK's limit being 30") {
+    constexpr std::size_t n = 100;
+    for (const SampleSet set : {SampleSet::random, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
+        for (const Model& model :
+             {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::squared_exponential, 1)})
+            for (const double noise : {1.0, 1e-4, 1e-6}) {
+                const Matrix q = symmetric(covariance_matrix(*model.covariance, noise, sample_set(set, n)));
+                const Cholesky cholesky(q);
+                const Matrix &u = cholesky.upper(), inverse = cholesky.inverse();
+                Matrix of_factor = q, of_inverse(n, n);
+                for (std::size_t i = 0; i < n; ++i)
+                    for (std::size_t j = 0; j < n; ++j) {
+                        of_inverse(i, j) = i == j;
+                        for (std::size_t k = 0; k < n; ++k) {
+                            of_factor(i, j) -= u(k, i) * u(k, j);
+                            of_inverse(i, j) -= q(i, k) * inverse(k, j);
+                        }
+                    }
+                const double unit = n * DBL_EPSILON * row_sum_norm(q);
+                CHECK(row_sum_norm(of_factor) < 5 * unit);
+                CHECK(row_sum_norm(of_inverse) < 5 * unit * row_sum_norm(inverse));
+            }
+}
+
+TEST_CASE("weights by the inverse lose digits that weights by the factor keep, but for one sample") {
+    const StabilityRow one = examine(SampleSet::random, 1, {CovarianceFamily::sobolev, 1.5}, {1e-2}).front();
+    CHECK(one.weight_error < 1e-15);
+    CHECK(one.inverse_error < 1e-15);
+    const StabilityRow many = examine_one(SampleSet::equator, {CovarianceFamily::squared_exponential, 1}, 1e-4);
+    CHECK(many.inverse_error > 1000 * many.weight_error);
+    CHECK(many.inverse_error < 0.01);
+}
+
+TEST_CASE("what is singular in double precision is refused, naming the pivot, and works with noise") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
+        try {
+            Cholesky(covariance_matrix(Sobolev(), 0, sample_set(set, 100)));
+            FAIL("accepted");
+        } catch (const NotPositiveDefinite& error) {
+            CHECK(error.index == 1);
+        }
         CHECK(examine_one(set, {CovarianceFamily::sobolev, 1.5}, 0).refused);
         CHECK(!examine_one(set, {CovarianceFamily::sobolev, 1.5}, 1e-2).refused);
     }
