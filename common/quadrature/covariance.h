@@ -27,11 +27,24 @@ class Covariance {
 public:
     virtual ~Covariance() = default;
 
-    // In place: count squared chords, in [0, 4], become covariances k. One call for many values lets a covariance of
-    // plain arithmetic compute them side by side.
+    // k of a squared chord, in [0, 4].
+    double operator()(double squared_chord) const {
+        covariances(&squared_chord, 1);
+        return squared_chord;
+    }
+
+    // In place: count squared chords become covariances. One call for many values lets a covariance of plain arithmetic
+    // compute them side by side.
     virtual void covariances(double* squared_chords, std::size_t count) const = 0;
 
-    // In place: elevation cosines, in [0, 1], become z. This and zz throw std::invalid_argument for a known part with
+    // z of a direction, by its elevation cosine in [0, 1].
+    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const {
+        std::vector<double> one{cos_theta};
+        hemisphere_integrals(one, known);
+        return one[0];
+    }
+
+    // In place: elevation cosines become z. This and zz throw std::invalid_argument for a known part with
     // which this covariance has no closed form.
     virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
     virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;

@@ -93,7 +93,10 @@ public:
     // for loops that take four floats at a time.
     static constexpr std::size_t beyond = 4;
     const float* texels() const { return rgb_.data(); }
-    Color texel(int i) const { return {rgb_[3 * i], rgb_[3 * i + 1], rgb_[3 * i + 2]}; }
+    Color texel(int i) const {
+        const float* rgb = texels() + 3 * std::ptrdiff_t{i};
+        return {rgb[0], rgb[1], rgb[2]};
+    }
 
     // How directions fall on the texels.
     const TexelGrid& grid() const { return grid_; }

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "one_value.h"
-
 using portable::pi;
 
 namespace {
@@ -38,7 +36,7 @@ double kinked_integral() {
 TEST_CASE("one sample has the closed form w = z / (k(0) + noise^2), V = zz - z w") {
     const Sobolev covariance;
     const GaussianProcess process(covariance, 0.5, {normalize({0.3, 0.7, 0.1})});
-    const double z = z_of(covariance, process.directions()[0].y), w = z / (8.0 / 3 + 0.25);
+    const double z = covariance.hemisphere_integral(process.directions()[0].y), w = z / (8.0 / 3 + 0.25);
     CHECK(std::fabs(process.weights()[0] / w - 1) < 1e-15);
     CHECK(std::fabs(process.variance() - (covariance.double_integral() - z * w)) < 1e-13);
     CHECK(std::fabs(process.integral({2}) - 2 * w) < 1e-14);
@@ -54,7 +52,7 @@ TEST_CASE("the weights satisfy Q w = z") {
         double sum = 0.01 * process.weights()[i];
         for (std::size_t j = 0; j < 60; ++j) {
             const Vec3 chord = directions[i] - directions[j];
-            sum += k_of(covariance, dot(chord, chord)) * process.weights()[j];
+            sum += covariance(dot(chord, chord)) * process.weights()[j];
         }
         // A backward stable solution leaves n eps |Q| |w| = 60 * 2e-16 * 100 * 1.
         CHECK(std::fabs(sum - process.z()[i]) < 1e-12);
@@ -255,7 +253,7 @@ TEST_CASE("a leave-one-out residual is what the prediction from all other sample
         double prediction = 0;
         for (std::size_t i = 0; i < 11; ++i) {
             const Vec3 chord = others[i] - directions[left];
-            prediction += solution[i] * k_of(Sobolev(), dot(chord, chord));
+            prediction += solution[i] * Sobolev()(dot(chord, chord));
         }
         CHECK(std::fabs(values[left] - prediction - residuals[left]) < 1e-13);
     }

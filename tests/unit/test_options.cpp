@@ -1,7 +1,6 @@
 #include "options.h"
 
 #include <doctest/doctest.h>
-#include "one_value.h"
 #include "parsed_words.h"
 
 namespace {
@@ -16,10 +15,10 @@ std::vector<std::string> parse_model(std::vector<std::string> arguments, ModelSe
 TEST_CASE("model options make the covariance that they name") {
     ModelSettings settings;
     CHECK(parse_model({"--covariance", "squared-exponential", "--length-scale", "0.5"}, settings).empty());
-    CHECK(k_of(*settings.make_covariance(), 0.75) == k_of(SquaredExponential(0.5), 0.75));
+    CHECK((*settings.make_covariance())(0.75) == SquaredExponential(0.5)(0.75));
     CHECK(
         parse_model({"--covariance", "sobolev", "--smoothness", "1.3", "--placement", "fibonacci"}, settings).empty());
-    CHECK(k_of(*settings.make_covariance(), 0.75) == k_of(Sobolev(1.3), 0.75));
+    CHECK((*settings.make_covariance())(0.75) == Sobolev(1.3)(0.75));
     CHECK(settings.placement == Placement::fibonacci);
     settings = {};
     CHECK(parse_model({"--known", "cosine", "--mean", "uniform", "--placement", "cosine-fibonacci"}, settings).empty());
