@@ -145,6 +145,7 @@ public:
 
     void render(int y, Image& image) const {
         thread_local Block block;
+        block.size = 0;  // an earlier row may have ended by an exception
         const Camera camera{settings_.width, settings_.height};
         const std::size_t pixels = std::clamp(most_rays / samples_, least_pixels, most_pixels);
         for (int x = 0; x < settings_.width; ++x) {

@@ -1,5 +1,6 @@
 #include "scene/render.h"
 
+#include "numerics/cholesky.h"
 #include "scene/desert.h"
 
 #include <doctest/doctest.h>
@@ -69,6 +70,17 @@ TEST_CASE("the fast loops give the textbook's bytes for every number of samples"
                 CAPTURE(samples);
                 CHECK(agree(settings, lights[1]));
             }
+}
+
+TEST_CASE("a picture that is refused leaves nothing in the next one") {
+    RenderSettings refused = small(Method::direct, 80);
+    refused.covariance = CovarianceFamily::squared_exponential;
+    refused.noise = 0;
+    refused.threads = 1;
+    CHECK_THROWS_AS(render(sphere_scene(), lights[0], refused), NotPositiveDefinite);
+    RenderSettings settings = small(Method::pool, 40);
+    settings.threads = 1;
+    CHECK(agree(settings, lights[0]));
 }
 
 TEST_CASE("the fast loops give the textbook's bytes for pictures of any size, and on several threads") {
