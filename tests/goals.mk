@@ -10,12 +10,21 @@
 # make figures      draws the figures of README.md from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
+# With PRECOMPILED=FILE, which is written, the programs compile as the tests do: in two thirds of the time.
 
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
 .PHONY: doctest test references handout grade grade_programs mutations portability fuzz bench figures seconds format-check
 
+# The standard headers, read once.
+HEADERS = $(or $(PRECOMPILED),$(BUILD)/standard.h)
+$(HEADERS).gch: $(BUILD)/settings
+	@cat common/*/*.h common/*/*.cpp | grep -oE '^#include <[a-z_]+>' | sort -u > $(HEADERS)
+	$(call as,CXX $(HEADERS)) $(COMPILE) -x c++-header $(HEADERS) -o $@
+$(TESTS) $(if $(PRECOMPILED),$(COMMON)): EXTRA += -include $(HEADERS)
+$(TESTS) $(if $(PRECOMPILED),$(COMMON)): | $(HEADERS).gch
+
 $(TESTS): | doctest
-$(TESTS): EXTRA = -O1
+$(TESTS): EXTRA += -O1
 doctest:
 	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
 
