@@ -77,8 +77,10 @@ std::vector<Mistaken> wrong_integrands(const Image& right, const EnvironmentMap&
 // The truth first, then with mistakes in a factor.
 std::vector<Mistaken> wrong_factors(const Truth& truth, std::size_t samples) {
     const double n = static_cast<double>(samples);
-    std::vector<Factor> known{
-        {"", 1}, {"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}, {"the objects are black", 0}};
+    std::vector<Factor> known{{"", 1},
+                              {"not divided by N, w = z, or w = Q z", n},  // white, if they are codes
+                              {"divided by N twice", 1 / n},
+                              {"the objects are black", 0}};
     known.insert(known.begin() + 1, std::begin(factors), std::end(factors));
     std::vector<Mistaken> all;
     for (const Factor& each : known)
