@@ -10,7 +10,7 @@
 # make figures      draws the figures of README.md from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
-# With PRECOMPILED=FILE, which is written, the programs compile as the tests do: in two thirds of the time.
+# make PRECOMPILED=FILE GOAL   the programs, too, compile with the standard headers read once, into FILE
 
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
 .PHONY: doctest test references handout grade grade_programs mutations portability fuzz bench figures seconds format-check

@@ -78,7 +78,7 @@ std::vector<Mistaken> wrong_integrands(const Image& right, const EnvironmentMap&
 std::vector<Mistaken> wrong_factors(const Truth& truth, std::size_t samples) {
     const double n = static_cast<double>(samples);
     std::vector<Factor> known{{"", 1},
-                              {"not divided by N, w = z, or w = Q z", n},  // white, if they are codes
+                              {"not divided by N, w = z, or w = Q z", n},  // in codes all are white
                               {"divided by N twice", 1 / n},
                               {"the objects are black", 0}};
     known.insert(known.begin() + 1, std::begin(factors), std::end(factors));
