@@ -80,7 +80,7 @@ std::string help_text(const Command& command) {
     return text + "\nOptions of the error tables (./workbench COMMAND --help for those of a command):\n" +
            describe(options) +
            "\nexamples: ./workbench --integrand cosine\n"
-           "          ./workbench --integrand cosine --samples 10:100:5 --bmc-estimates 100\n"
+           "          ./workbench --integrand cosine --samples 20,40,80 --bmc-estimates 100\n"
            "          ./workbench tradeoff --no-times\n";
 }
 

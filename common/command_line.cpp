@@ -154,7 +154,6 @@ Option idle_while(const std::function<std::string()>& reason, Option option) {
 
 int run_program(const char* name, const std::function<Outcome()>& body) {
     try {
-        portable::check_arithmetic();
         const Outcome outcome = body();
         write_all(outcome.text);
         return outcome.status;

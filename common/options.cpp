@@ -29,10 +29,8 @@ ModelOptions::ModelOptions(ModelSettings& s)
                               s.length_scale, {0.05, 1e6})),
               real_option("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
                           s.noise, {0, 1000}),
-              choice_option("known", "part of the integrand: ", known_without_light, s.prior.known,
-                            ", for sobolev with smoothness 1.5"),
-              choice_option("mean", "of the prior: ", prior_mean_names, s.prior.mean,
-                            ", a uniform light of unknown radiance")},
+              choice_option("known", "part of the integrand: ", known_without_light, s.known,
+                            ", for sobolev with smoothness 1.5")},
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
       seed(seed_option("of the random numbers (default 1)", s.seed)) {}
 
@@ -42,7 +40,7 @@ Option& ModelOptions::of_process(const std::string& name) {
 
 void require_closed_form(const ModelSettings& settings) {
     const bool closed = settings.covariance == CovarianceFamily::sobolev && settings.smoothness == 1.5;
-    if (knows_cosine(settings.prior.known) && !closed)
+    if (knows_cosine(settings.known) && !closed)
         throw UsageError(
             "a known part goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form for it");
 }
@@ -56,9 +54,9 @@ RenderOptions::RenderOptions(RenderSettings& s)
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
     for (Option& option : process) option = idle_while(no_process, option);
     Option& known = of_process("known");
-    known = choice_option("known", "part of the integrand: ", known_part_names, s.prior.known,
+    known = choice_option("known", "part of the integrand: ", known_part_names, s.known,
                           "; the last two for sobolev with smoothness 1.5");
-    known.idle = [&s, no_process] { return s.prior.known == KnownPart::light ? "" : no_process(); };
+    known.idle = [&s, no_process] { return s.known == KnownPart::light ? "" : no_process(); };
 }
 
 void require_possible(const RenderSettings& settings) {

@@ -11,7 +11,7 @@
 constexpr long max_process_samples = 4096;
 
 struct ModelOptions {
-    std::vector<Option> process;  // covariance, smoothness, length-scale, noise, known part, mean
+    std::vector<Option> process;  // covariance, smoothness, length-scale, noise, known part
     Option placement, seed;
 
     explicit ModelOptions(ModelSettings& settings);

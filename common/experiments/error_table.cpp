@@ -10,29 +10,16 @@
 namespace {
 
 constexpr long max_estimates = 100000;
-constexpr std::size_t max_rows = 1000;
 
-// A list "10,20,40" or a range "10:100:10".
+// A list such as 10,20,40.
 std::vector<std::size_t> parse_samples(const std::string& text) {
-    const char separator = text.find(':') < text.size() ? ':' : ',';
-    std::istringstream words(text + separator);
-    std::vector<std::size_t> numbers, range;
-    for (std::string word; std::getline(words, word, separator);) {
-        if (word.empty()) throw UsageError("'" + text + "' is no list as 10,20,40 and no range FIRST:LAST:STEP");
+    std::istringstream words(text + ',');
+    std::vector<std::size_t> numbers;
+    for (std::string word; std::getline(words, word, ',');) {
+        if (word.empty()) throw UsageError("'" + text + "' is no list such as 10,20,40");
         numbers.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
     }
-    if (separator == ',') return numbers;
-    if (numbers.size() != 3 || numbers[0] > numbers[1])
-        throw UsageError("'" + text + "' is no range FIRST:LAST:STEP with FIRST <= LAST");
-    for (std::size_t n = numbers[0]; n <= numbers[1]; n += numbers[2]) range.push_back(n);
-    return range;
-}
-
-void set_samples(ErrorSettings& settings, const std::string& text) {
-    settings.samples = parse_samples(text);
-    if (settings.samples.size() > max_rows)
-        throw UsageError(line("%zu numbers are too many, at most %zu are allowed; give a range a larger STEP",
-                              settings.samples.size(), max_rows));
+    return numbers;
 }
 
 // Of so many errors; 0 where it is only rounding.
@@ -46,14 +33,14 @@ double mean(double sum, std::size_t estimates, const Integrand& integrand) {
 // Carlo predicts. Estimate e takes the directions that estimate_directions gives for it.
 ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, const ErrorSettings& settings,
                    std::size_t n) {
-    ErrorRow row{n, 0, 0, 0, 0};
+    ErrorRow row{n, 0, 0, 0};
     for (std::size_t e = 0; e < std::max(settings.mc_estimates, settings.bmc_estimates); ++e) {
         const DirectionSet set = estimate_directions(settings, n, e);
         if (e < settings.mc_estimates)
             row.mc_error += std::fabs(apply(monte_carlo_rule(set), integrand) - integrand.truth);
         if (e >= settings.bmc_estimates) continue;
-        const std::vector<double> values = sample(integrand, set.directions, settings.prior.known);
-        const GaussianProcess process(covariance, settings.noise, set.directions, settings.prior);
+        const std::vector<double> values = sample(integrand, set.directions, settings.known);
+        const GaussianProcess process(covariance, settings.noise, set.directions, settings.known);
         row.bmc_error += std::fabs(process.integral(values) - integrand.truth);
         row.bmc_predicted += process.standard_error(values);
     }
@@ -62,18 +49,6 @@ ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, con
     return row;
 }
 // END SOLUTION
-
-// Of Bayesian Monte Carlo with the prior mean zero on the directions of the same estimates.
-void add_rival_error(ErrorRow& row, const Integrand& integrand, ErrorSettings settings) {
-    settings.mc_estimates = 1;
-    settings.prior = {};
-    const SquaredExponential rival(settings.length_scale);
-    try {
-        row.rival_error = error_row(integrand, rival, settings, row.samples).bmc_error;
-    } catch (const NotPositiveDefinite& error) {
-        row.refusal = error.what();
-    }
-}
 
 }  // namespace
 
@@ -85,21 +60,16 @@ double ErrorRow::gain() const {
 std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings) {
     const std::unique_ptr<Covariance> covariance = settings.make_covariance();
     std::vector<ErrorRow> rows;
-    for (const std::size_t n : settings.samples) {
-        rows.push_back(error_row(integrand, *covariance, settings, n));
-        add_rival_error(rows.back(), integrand, settings);
-    }
+    for (const std::size_t n : settings.samples) rows.push_back(error_row(integrand, *covariance, settings, n));
     return rows;
 }
 
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows) {
     std::string text = "# integral of " + integrand.formula + line(" = %.10f\n", integrand.truth) +
-                       "# samples     mc_error    bmc_error bmc_predicted        mc/bmc   mc_samples     se_error\n";
-    for (const ErrorRow& row : rows) {
-        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g ", row.samples, row.mc_error, row.bmc_error,
+                       "# samples     mc_error    bmc_error bmc_predicted        mc/bmc   mc_samples\n";
+    for (const ErrorRow& row : rows)
+        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
                      row.bmc_predicted, row.gain(), row.equivalent_mc_samples());
-        text += row.refusal.empty() ? line("%12.5g\n", row.rival_error) : line("%12s\n# ", "nan") + row.refusal + '\n';
-    }
     return text;
 }
 
@@ -115,12 +85,11 @@ std::vector<Integrand> integrands_named(const std::string& name) {
 }
 
 std::vector<Option> ErrorTables::options() {
-    ModelOptions model(settings);
-    model.of_process("length-scale").idle = nullptr;  // the column se_error always has a length-scale
+    const ModelOptions model(settings);
     return joined(
         {{name_option("integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)", integrand),
-          {"samples", "LIST", "numbers of samples, as 10,20,40 or FIRST:LAST:STEP (default 10:100:10)",
-           [this](const std::string& text) { set_samples(settings, text); }},
+          {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
+           [this](const std::string& text) { settings.samples = parse_samples(text); }},
           count_option("mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
                        settings.mc_estimates, max_estimates),
           count_option("bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
@@ -130,9 +99,6 @@ std::vector<Option> ErrorTables::options() {
 }
 
 std::string ErrorTables::report() const {
-    const bool one_sample = std::count(settings.samples.begin(), settings.samples.end(), 1u) > 0;
-    if (settings.prior.mean == PriorMean::uniform && one_sample)
-        throw UsageError("--samples: 1 with --mean uniform leaves no error bar; give at least 2, or --mean zero");
     require_closed_form(settings);
     std::string text;
     for (const Integrand& each : integrands_named(integrand))

@@ -13,13 +13,12 @@ struct ErrorSettings : ModelSettings {
     std::size_t mc_estimates = 100, bmc_estimates = 10;
 };
 
-// Mean absolute errors of Monte Carlo, of Bayesian Monte Carlo and of that with the squared-exponential covariance as a
-// rival, and the mean standard error that the first predicts. What is less than 1e-12 of the truth is rounding and
-// counts as 0, so that a program that multiplies in another order has the same row.
+// Mean absolute errors of Monte Carlo and of Bayesian Monte Carlo, and the mean standard error that the latter
+// predicts. Errors below 1e-12 of the truth are rounding and count as 0, so that programs that multiply in another
+// order agree.
 struct ErrorRow {
     std::size_t samples;
-    double mc_error, bmc_error, bmc_predicted, rival_error;
-    std::string refusal = "";  // why the rival's covariance matrix was refused; rival_error is not set then
+    double mc_error, bmc_error, bmc_predicted;
 
     // How many times smaller the error of Bayesian Monte Carlo is.
     double gain() const;

@@ -28,7 +28,7 @@ struct Column {
     std::string name;
     std::vector<Integrand> integrands;
     std::size_t sets;
-    std::vector<Judged> judged;
+    std::vector<Examined> examined;
 };
 
 std::vector<Column> all_columns() {
@@ -39,7 +39,7 @@ std::vector<Column> all_columns() {
     }
     for (Column& column : columns)
         for (const auto& [model, noise] : models_and_noises())
-            column.judged.push_back(judge(model, noise, column.integrands, n, column.sets));
+            column.examined.push_back(examine(model, noise, column.integrands, n, column.sets));
     return columns;
 }
 
@@ -50,10 +50,10 @@ std::string model_table(const std::vector<Column>& columns) {
         "# covariance        parameter  noise";
     for (const Column& column : columns) text += line(" %15s", column.name.c_str());
     text += '\n';
-    for (std::size_t i = 0; i < columns[0].judged.size(); ++i) {
-        const auto& [model, noise, verdicts] = columns[0].judged[i];
+    for (std::size_t i = 0; i < columns[0].examined.size(); ++i) {
+        const auto& [model, noise, verdicts] = columns[0].examined[i];
         text += line("%-20s %8g %6g", name_of(model.family, covariance_names), model.parameter, noise);
-        for (const Column& column : columns) text += line(" %15.4g", column.judged[i].rmse());
+        for (const Column& column : columns) text += line(" %15.4g", column.examined[i].rmse());
         text += '\n';
     }
     text += "monte-carlo                 -      -";
@@ -63,17 +63,16 @@ std::string model_table(const std::vector<Column>& columns) {
 
 std::string choice_table(const std::vector<Column>& columns) {
     std::string text =
-        "\n\n# What do the samples choose of these models, without the truth? The RMSE of Sobolev 3/2 with "
-        "noise 0.01; of the\n# model that one set of 40 values chooses, and how often it is "
-        "squared-exponential; and of the one that all sets\n# choose: by the evidence, then by the "
-        "leave-one-out error.\n"
-        "# integrand       sobolev_3/2   evidence  smooth  pooled  leave_one_out  smooth  pooled\n";
+        "\n\n# Which of these models do the samples choose by the evidence, without the truth? The RMSE of Sobolev 3/2 "
+        "with\n"
+        "# noise 0.01; of the model that one set of 40 values chooses, and how often it is squared-exponential; and of "
+        "the\n"
+        "# one that all sets choose together.\n"
+        "# integrand       sobolev_3/2     chosen  smooth  pooled\n";
     for (const Column& column : columns) {
-        const Choice evidence = choice_by(&Verdict::surprise, column.judged),
-                     left_out = choice_by(&Verdict::leave_one_out, column.judged);
-        text += line("%-16s %12.4g %10.4g %7.2f %7.4g %14.4g %7.2f %7.4g\n", column.name.c_str(),
-                     column.judged[standard_model].rmse(), evidence.rmse, evidence.smooth, evidence.pooled_rmse,
-                     left_out.rmse, left_out.smooth, left_out.pooled_rmse);
+        const Choice choice = choice_by_evidence(column.examined);
+        text += line("%-16s %12.4g %10.4g %7.2f %7.4g\n", column.name.c_str(), column.examined[standard_model].rmse(),
+                     choice.rmse, choice.smooth, choice.pooled_rmse);
     }
     return text;
 }
@@ -87,8 +86,9 @@ std::string coverage_table(const std::vector<Column>& columns) {
     for (const std::size_t count : {2u, 5u, 10u, 20u, 40u, 80u, 160u}) {
         text += line("%9zu", count);
         for (const Column& column : columns) {
-            const Judged judged = judge({CovarianceFamily::sobolev, 1.5}, 1e-2, column.integrands, count, column.sets);
-            text += line(" %15.3f %6.2f", judged.coverage(), judged.predicted() / judged.rmse());
+            const Examined model =
+                examine({CovarianceFamily::sobolev, 1.5}, 1e-2, column.integrands, count, column.sets);
+            text += line(" %15.3f %6.2f", model.coverage(), model.predicted() / model.rmse());
         }
         text += '\n';
     }
@@ -129,48 +129,45 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
     return integrands;
 }
 
-Judged judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t samples,
-             std::size_t sets) {
-    Judged judged{model, noise, {}};
+Examined examine(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t samples,
+                 std::size_t sets) {
+    Examined examined{model, noise, {}};
     for (std::size_t set = 0; set < sets; ++set) {
         const GaussianProcess process(*model.covariance, noise, estimate_directions({}, samples, set).directions);
-        const Matrix inverse = process.inverse_covariance();
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = sample(integrand, process.directions());
-            Statistics squares;
-            for (const double residual : process.leave_one_out(values, inverse)) squares.add(residual * residual);
-            judged.verdicts.push_back({process.integral(values) - integrand.truth, process.standard_error(values),
-                                       -process.log_evidence(values), squares.mean});
+            examined.verdicts.push_back({process.integral(values) - integrand.truth, process.standard_error(values),
+                                         -process.log_evidence(values)});
         }
     }
-    return judged;
+    return examined;
 }
 
-double Judged::rmse() const { return rms(verdicts, &Verdict::error); }
-double Judged::predicted() const { return rms(verdicts, &Verdict::predicted); }
+double Examined::rmse() const { return rms(verdicts, &Verdict::error); }
+double Examined::predicted() const { return rms(verdicts, &Verdict::predicted); }
 
-double Judged::coverage() const {
+double Examined::coverage() const {
     Statistics within;
     for (const Verdict& v : verdicts) within.add(std::fabs(v.error) <= 2 * v.predicted);
     return within.mean;
 }
 
-Choice choice_by(double Verdict::*criterion, const std::vector<Judged>& models) {
+Choice choice_by_evidence(const std::vector<Examined>& models) {
     // The model for which value(model) is least.
-    const auto least = [&](auto value) -> const Judged& {
+    const auto least = [&](auto value) -> const Examined& {
         return *std::min_element(models.begin(), models.end(),
-                                 [&](const Judged& a, const Judged& b) { return value(a) < value(b); });
+                                 [&](const Examined& a, const Examined& b) { return value(a) < value(b); });
     };
     RootMeanSquare error;
     Statistics smooth;
     for (std::size_t i = 0; i < models[0].verdicts.size(); ++i) {
-        const Judged& chosen = least([&](const Judged& model) { return model.verdicts[i].*criterion; });
+        const Examined& chosen = least([&](const Examined& model) { return model.verdicts[i].surprise; });
         error.add(chosen.verdicts[i].error);
         smooth.add(chosen.model.family == CovarianceFamily::squared_exponential);
     }
-    const Judged& pooled = least([&](const Judged& model) {
+    const Examined& pooled = least([&](const Examined& model) {
         double sum = 0;
-        for (const Verdict& verdict : model.verdicts) sum += verdict.*criterion;
+        for (const Verdict& verdict : model.verdicts) sum += verdict.surprise;
         return sum;
     });
     return {error.value(), smooth.mean, pooled.rmse()};

@@ -1,5 +1,5 @@
-// Which model an integrand requires, judged by the error, which needs the truth, and by the evidence and the
-// leave-one-out error, which do not; and how honest the process's own error is.
+// Which model an integrand requires: by the error, which needs the truth, and by the evidence, which does not; and how
+// honest the process's own error is.
 #pragma once
 
 #include "command_line.h"
@@ -27,12 +27,11 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
 struct Verdict {
     double error, predicted;  // of the estimate; its standard error
     double surprise;          // minus the log evidence
-    double leave_one_out;     // mean square of the residuals
 };
 
 // A model's verdicts on so many fresh uniform sets of n directions, on every integrand from each. Verdict i of one
 // model and of another are from the same samples.
-struct Judged {
+struct Examined {
     Model model;
     double noise;
     std::vector<Verdict> verdicts;
@@ -41,15 +40,15 @@ struct Judged {
     double predicted() const;  // root mean square of the predicted standard errors
     double coverage() const;   // fraction of errors within two predicted ones
 };
-Judged judge(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
-             std::size_t sets);
+Examined examine(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
+                 std::size_t sets);
 
-// The RMSE if for each set of samples that model is taken whose verdict is least by the criterion; how often that is a
-// squared-exponential one; and the RMSE of the one model whose sum over all sets is least.
+// The RMSE if for each set of samples the model with the largest evidence is taken; how often that is a
+// squared-exponential one; and the RMSE of the one model whose evidence of all sets is largest.
 struct Choice {
     double rmse, smooth, pooled_rmse;
 };
-Choice choice_by(double Verdict::*criterion, const std::vector<Judged>& models);
+Choice choice_by_evidence(const std::vector<Examined>& models);
 
 // Root mean square error of Monte Carlo on the same sets.
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);

@@ -2,7 +2,7 @@
 
 #include "experiments/picture_error.h"
 #include "experiments/statistics.h"
-#include "scene/pilot.h"
+#include "scene/predicted_error.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,15 +14,14 @@ namespace {
 
 constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, cosine = Placement::cosine,
                cosine_fibonacci = Placement::cosine_fibonacci;
-constexpr Prior uniform_mean{KnownPart::nothing, PriorMean::uniform}, known_cosine{KnownPart::cosine, PriorMean::zero},
-    known_light{KnownPart::light, PriorMean::zero};
+constexpr auto cosine_known = KnownPart::cosine, light_known = KnownPart::light;
 
-RenderSettings settings_of(Method method, std::size_t pool, Placement placement, Prior prior = {}) {
+RenderSettings settings_of(Method method, std::size_t pool, Placement placement, KnownPart known = KnownPart::nothing) {
     RenderSettings settings;
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    settings.prior = prior;
+    settings.known = known;
     return settings;
 }
 
@@ -84,9 +83,8 @@ PictureCost picture_cost(const Light& light, RenderSettings settings, const Trut
 }
 
 std::string name_columns(const RenderSettings& s) {
-    return line("%-8s %5zu %-16s %-7s %-7s", name_of(s.method, method_names), s.pool,
-                name_of(s.placement, placement_names), name_of(s.prior.known, known_part_names),
-                name_of(s.prior.mean, prior_mean_names));
+    return line("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names),
+                name_of(s.known, known_part_names));
 }
 
 std::string prediction_columns(const PictureCost& row) {
@@ -118,22 +116,20 @@ std::vector<RenderSettings> main_settings() {
             settings_of(Method::rotated, 1, uniform),
             settings_of(Method::pool, 5, uniform),
             settings_of(Method::pool, 20, uniform),
-            settings_of(Method::pool, 20, uniform, uniform_mean),
             settings_of(Method::mc, 1, fibonacci),
             settings_of(Method::pool, 20, fibonacci),
-            settings_of(Method::pool, 20, cosine_fibonacci, known_cosine),
-            settings_of(Method::mc, 1, uniform, known_light),
-            settings_of(Method::pool, 20, uniform, known_light),
-            settings_of(Method::mc, 1, cosine_fibonacci, known_light),
-            settings_of(Method::pool, 20, cosine_fibonacci, known_light)};
+            settings_of(Method::pool, 20, cosine_fibonacci, cosine_known),
+            settings_of(Method::mc, 1, uniform, light_known),
+            settings_of(Method::pool, 20, uniform, light_known),
+            settings_of(Method::mc, 1, cosine_fibonacci, light_known),
+            settings_of(Method::pool, 20, cosine_fibonacci, light_known)};
 }
 
 std::vector<RenderSettings> all_settings() {
     std::vector<RenderSettings> list = main_settings();
-    for (const Placement placement : {cosine, cosine_fibonacci}) {
-        list.push_back(settings_of(Method::mc, 1, placement));
-        list.push_back(settings_of(Method::pool, 20, placement, {KnownPart::cosine, PriorMean::uniform}));
-    }
+    list.push_back(settings_of(Method::mc, 1, cosine));
+    list.push_back(settings_of(Method::pool, 20, cosine, cosine_known));
+    list.push_back(settings_of(Method::mc, 1, cosine_fibonacci));
     return list;
 }
 
@@ -158,7 +154,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
     std::string text = line(
-        "# method  pool placement        known   mean    samples       rmse     +-rmse correlation brightness "
+        "# method  pool placement        known   samples       rmse     +-rmse correlation brightness "
         "mc_samples  predicted within%s\n",
         timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
@@ -175,47 +171,5 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
                          gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
         text += '\n';
     }
-    return text;
-}
-
-std::string paired_table(const std::vector<PictureCost>& rows, bool timed) {
-    const std::size_t few = rows[0].settings.samples, many = rows[1].settings.samples;
-    std::string text = line(
-        "# method  pool placement        known   mean       rmse_%zu  +-rmse_%zu brightness_%zu    rmse_%zu  "
-        "+-rmse_%zu brightness_%zu correlation_%zu predict_%zu within predict_%zu within%s\n",
-        few, few, few, many, many, many, many, few, many, timed ? "  s/megapixel" : "");
-    for (std::size_t i = 0; i < rows.size(); i += 2) {
-        text += name_columns(rows[i].settings);
-        for (const PictureCost* row : {&rows[i], &rows[i + 1]})
-            text += line(" %10.5f %10.5f %13.5f", row->rmse, row->rmse_error, row->brightness);
-        text +=
-            line(" %14.4f", rows[i + 1].correlation) + prediction_columns(rows[i]) + prediction_columns(rows[i + 1]);
-        text += (timed ? line(" %12.3g", rows[i + 1].seconds_per_megapixel) : "") + '\n';
-    }
-    return text;
-}
-
-std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs) {
-    constexpr std::size_t most = 512;
-    const Light light(environment);
-    const Truth truth = truth_for(light, costs);
-    std::string text = "# method  pool placement        known   mean        asked samples rmse/asked\n";
-    for (const RenderSettings& asked :
-         {settings_of(Method::pool, 20, uniform), settings_of(Method::pool, 20, cosine_fibonacci, known_cosine),
-          settings_of(Method::pool, 20, cosine_fibonacci, known_light)})
-        for (const double target : {0.02, 0.01, 0.005, 0.0025}) {
-            RenderSettings settings = sized_as(costs, asked, most);
-            text += name_columns(settings) + line(" %10g", target);
-            try {
-                settings.samples = samples_for(target, most, sphere_scene(), light, settings).samples;
-            } catch (const std::runtime_error&) {
-                text += "       -          -\n";
-                break;
-            }
-            RootMeanSquare rmse;
-            for (const std::uint64_t last = settings.seed + 4; settings.seed != last; ++settings.seed)
-                rmse.add(image_error(render(sphere_scene(), light, settings), truth).rmse);
-            text += line(" %7zu %10.2f\n", settings.samples, rmse.value() / target);
-        }
     return text;
 }

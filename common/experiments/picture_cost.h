@@ -40,11 +40,3 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
 
 // A row for each picture; the first settings are classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
-
-// A row for two pictures, which differ by their numbers of samples; the seconds are those of the second.
-std::string paired_table(const std::vector<PictureCost>& rows, bool timed);
-
-// What comes of asking for an RMSE (scene/pilot.h): the samples that are chosen, and the RMSE of the pictures of four
-// seeds over what was asked. A row for each of four RMSEs and for a pool of every known part, down to the first that
-// 512 samples do not have.
-std::string asked_table(const EnvironmentMap& environment, const CostSettings& costs);

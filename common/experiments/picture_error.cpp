@@ -14,7 +14,7 @@ Truth dense_truth(const Light& light, RenderSettings settings, std::size_t sampl
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = samples;
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     return truth_of(render(sphere_scene(), light, settings));
 }
 

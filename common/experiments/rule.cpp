@@ -79,8 +79,8 @@ std::string Rule::report() const {
         read_input(directions, [&](std::istream& in) { given = read_samples(in); });
     }
     const std::unique_ptr<Covariance> covariance = settings.make_covariance();
-    const GaussianProcess process(*covariance, settings.noise, given.directions, settings.prior);
-    const std::string text = rule_report(process, settings.prior.known, given.values);
+    const GaussianProcess process(*covariance, settings.noise, given.directions, settings.known);
+    const std::string text = rule_report(process, settings.known, given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", symmetric(covariance_matrix(*covariance, settings.noise, given.directions))) +
            matrix_block("Q^-1", process.inverse_covariance());

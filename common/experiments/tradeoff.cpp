@@ -112,8 +112,7 @@ std::vector<Option> Tradeoff::options() {
                         environment),
             count_option("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 1024, 2),
             seed_option("other random numbers for other K (default 1)", costs.seed),
-            {"all", "",
-             "more settings, with 10 to 160 samples, and what --rmse gives, under one light (default: the desert)",
+            {"all", "", "more settings, with 10 to 160 samples, under one light (default: the desert)",
              [this](const std::string&) { all = true; }},
             {"no-times", "", "leave out what is measured and differs from run to run",
              [this](const std::string&) { costs.timed = false; }}};
@@ -134,13 +133,10 @@ std::string Tradeoff::report() const {
         };
         text += "\n\n# What a picture costs: the sphere scene, " + line("%d x %d pixels, ", costs.size, costs.size) +
                 "under " + names[i] + ".\n" + meaning + (costs.timed ? measured : "");
-        text +=
-            all ? picture_table(picture_costs(*light, all_settings(), {10, 20, 40, 80, 160}, costs, share), costs.timed)
-                : paired_table(picture_costs(*light, main_settings(), {10, 40}, costs, share), costs.timed);
-        if (all)
-            text +=
-                "\n\n# Samples that ./renderer --rmse takes for what is asked, and what 4 pictures with them have.\n" +
-                asked_table(*light, costs);
+        const auto& compared = all ? all_settings() : main_settings();
+        const std::vector<std::size_t> samples =
+            all ? std::vector<std::size_t>{10, 20, 40, 80, 160} : std::vector<std::size_t>{10, 40};
+        text += picture_table(picture_costs(*light, compared, samples, costs, share), costs.timed);
     }
     return text;
 }

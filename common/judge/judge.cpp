@@ -66,7 +66,7 @@ Outcome Judge::judge_picture_file() const {
 }
 
 Outcome Judge::judge_table_file() const {
-    if (correct.prior.known == KnownPart::light)
+    if (correct.known == KnownPart::light)
         throw UsageError("judge: --known light: an error table has no light to be known");
     const Integrand chosen = integrands_named(integrand).front();
     TableJudgement judgement;

@@ -123,7 +123,7 @@ TableJudgement judge_table(const std::vector<InputRow>& rows, const Integrand& i
         Statistics mc, bmc;
         for (std::size_t e = 0; e < estimates; ++e) {
             const DirectionSet set = estimate_directions(others, n, e);
-            const QuadratureRule rule = bayesian_rule(*covariance, settings.noise, set.directions, settings.prior);
+            const QuadratureRule rule = bayesian_rule(*covariance, settings.noise, set.directions, settings.known);
             mc.add(std::fabs(apply(monte_carlo_rule(set), integrand) - integrand.truth));
             bmc.add(std::fabs(apply(rule, integrand) - integrand.truth));
         }

@@ -22,9 +22,6 @@ std::string describe_pivot(std::size_t index, double value, double least) {
 NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least)
     : std::runtime_error(describe_pivot(pivot_index, pivot_value, least)), index(pivot_index), value(pivot_value) {}
 
-NotPositiveDefinite::NotPositiveDefinite(const std::string& subject, const NotPositiveDefinite& error)
-    : std::runtime_error(subject + error.what()), index(error.index), value(error.value) {}
-
 double root_of_pivot(std::size_t k, double pivot, double a_kk) {
     const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(a_kk);
     if (!(pivot > least)) throw NotPositiveDefinite(k, pivot, least);

@@ -22,9 +22,6 @@
 struct NotPositiveDefinite : std::runtime_error {
     NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least);
 
-    // The same, the text after what it is about.
-    NotPositiveDefinite(const std::string& subject, const NotPositiveDefinite& error);
-
     std::size_t index;  // row of the pivot, from 0
     double value;
 };

@@ -2,8 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace portable {
 namespace {
@@ -161,33 +159,5 @@ SineCosine sincos_turns(double turns) {
     const double s = sine_of_quadrants[quadrant & 3], c = sine_of_quadrants[(quadrant + 1) & 3];
     return {c * sine + s * cosine, c * cosine - s * sine};
 }
-
-#ifdef UNGUARDED_ARITHMETIC
-void check_arithmetic() {}
-#else
-static void require(bool holds, const std::string& found, const std::string& remedy) {
-    if (!holds) throw std::runtime_error("the output would differ from the references: " + found + "; " + remedy);
-}
-
-// The operands are volatile so that the compiler cannot compute the answers itself, by its own rules.
-void check_arithmetic() {
-    volatile double one = 1, minus_one = -1, half = 0.5, huge = 0x1p1023;
-    volatile double above_one = 1 + 0x1p-30, below_one = 1 - 0x1p-30;
-    volatile double quarter_ulp = 0x1p-54, three_quarter_ulp = 3 * 0x1p-54;
-    volatile double smallest_normal = DBL_MIN, smallest_subnormal = 0x1p-1074;
-    const double rounded_up = one + quarter_ulp, rounded_down = one + three_quarter_ulp;
-    require(rounded_up == 1 && rounded_down == 1 + DBL_EPSILON, "the rounding mode is not to nearest",
-            "restore it with fesetround(FE_TONEAREST)");
-    const double large = one;
-    require((large + quarter_ulp) - large == 0, "a sum keeps more bits than a double has, or was reordered",
-            "compile with -msse2 -mfpmath=sse on 32-bit x86, and without -ffast-math and -fassociative-math");
-    // (1 + 2^-30)(1 - 2^-30) rounds to 1; a fused operation would keep the -2^-60.
-    require(above_one * below_one + minus_one == 0, "a * b + c is contracted to a fused multiply-add",
-            "compile with -ffp-contract=off");
-    // The product of the smallest subnormal number is 0 if subnormal operands are taken for 0.
-    require(bits_of(smallest_normal * half) != 0 && smallest_subnormal * huge == 0x1p-51,
-            "subnormal numbers are flushed to zero", "link without -ffast-math and -Ofast, and do not set FTZ or DAZ");
-}
-#endif
 
 }  // namespace portable

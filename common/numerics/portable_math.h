@@ -13,7 +13,7 @@
 
 // Compilers contract a * b + c to one fused operation where the processor has it, which rounds once instead of twice.
 // These lines are for whoever compiles without the Makefile. (clang disregards them if the command line says
-// -ffp-contract=fast; check_arithmetic() refuses to run then.)
+// -ffp-contract=fast.)
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
@@ -70,9 +70,5 @@ struct SineCosine {
     double sine, cosine;
 };
 SineCosine sincos_turns(double turns);
-
-// Throws std::runtime_error if this process does not compute as IEEE 754 doubles, rounded to nearest, with subnormals
-// and without contraction of a * b + c: its output would then differ from the references.
-void check_arithmetic();
 
 }  // namespace portable

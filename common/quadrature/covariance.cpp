@@ -2,18 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 using portable::pi;
 
 namespace {
-
-std::string described(const char* family, double parameter) {
-    std::ostringstream text;
-    text << family << parameter;
-    return text.str();
-}
 
 // The smallest modulus that is told apart: z is linear in c near the equator, so this moves it by less than 1e-17.
 constexpr double smallest_modulus = 0x1p-60;
@@ -153,8 +146,6 @@ double Sobolev::double_integral(KnownPart known) const {
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
 
-std::string Sobolev::description() const { return described("sobolev, smoothness ", exponent_ + 1); }
-
 SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length_scale * length_scale)) {
     if (!(length_scale >= 0.05) || !std::isfinite(length_scale))
         throw std::invalid_argument("the length-scale must be at least 0.05; it is " + std::to_string(length_scale));
@@ -197,10 +188,6 @@ double SquaredExponential::double_integral(KnownPart known) const {
         sum += t * (w - 1 / (2.0 * (m + 1)));
     }
     return 2 * pi * (even_part_ + 2 * pi * sum);
-}
-
-std::string SquaredExponential::description() const {
-    return described("squared-exponential, length-scale ", 1 / std::sqrt(kappa_));
 }
 
 std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double parameter) {

@@ -48,9 +48,6 @@ public:
     // which this covariance has no closed form.
     virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
     virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
-
-    // Its name and parameter, for an error message.
-    virtual std::string description() const = 0;
 };
 
 // k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s: the reproducing kernel of the Sobolev space of smoothness s on the sphere,
@@ -66,7 +63,6 @@ public:
     void covariances(double* squared_chords, std::size_t count) const override;
     void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
-    std::string description() const override;
 
 private:
     bool has_closed_form() const { return nodes_.empty(); }
@@ -88,7 +84,6 @@ public:
     void covariances(double* squared_chords, std::size_t count) const override;
     void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
     double double_integral(KnownPart known = KnownPart::nothing) const override;
-    std::string description() const override;
 
 private:
     double kappa_;      // 1 / l^2

@@ -12,18 +12,8 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// The error says which covariance was refused.
-Cholesky factor(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
-    try {
-        return Cholesky(covariance_matrix(covariance, noise, directions));
-    } catch (const NotPositiveDefinite& error) {
-        throw NotPositiveDefinite(covariance.description() + ", " + std::to_string(directions.size()) + " directions: ",
-                                  error);
-    }
-}
-
 // BEGIN SOLUTION integral
-// The weights w = Q^-1 z of a process with the prior mean zero, from the factor of Q.
+// The weights w = Q^-1 z, from the factor of Q.
 std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z) {
     return cholesky.solve(z);
 }
@@ -78,26 +68,13 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
-GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior)
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
+                                 KnownPart known)
     : directions_(std::move(directions)),
-      z_(hemisphere_integrals(covariance, directions_, prior.known)),
-      cholesky_(factor(covariance, noise, directions_)),
+      z_(hemisphere_integrals(covariance, directions_, known)),
+      cholesky_(covariance_matrix(covariance, noise, directions_)),
       weights_(bayesian_weights(cholesky_, z_)),
-      variance_(posterior_variance(covariance.double_integral(prior.known), z_, weights_)) {
-    if (prior.mean == PriorMean::uniform) add_uniform_light(prior.known);
-}
-
-void GaussianProcess::add_uniform_light(KnownPart known) {
-    for (const Vec3& direction : directions_) mean_.push_back(knows_cosine(known) ? 1 : direction.y);
-    solved_mean_ = cholesky_.solve(mean_);
-    mean_information_ = sum_of_products(mean_, solved_mean_);
-    const double missing = portable::pi - sum_of_products(mean_, weights_);
-    variance_ += missing * missing / mean_information_;
-    if (!std::isfinite(variance_))
-        throw std::invalid_argument(
-            "the prior mean uniform needs a direction above the horizon: on it a uniform light brings nothing");
-    for (std::size_t i = 0; i < mean_.size(); ++i) weights_[i] += solved_mean_[i] * (missing / mean_information_);
-}
+      variance_(posterior_variance(covariance.double_integral(known), z_, weights_)) {}
 
 // BEGIN SOLUTION integral
 double GaussianProcess::integral(const std::vector<double>& values) const {
@@ -106,26 +83,10 @@ double GaussianProcess::integral(const std::vector<double>& values) const {
 }
 // END SOLUTION
 
-double GaussianProcess::freedom() const {
-    const double n = static_cast<double>(directions_.size());
-    if (mean_.empty()) return n;
-    if (n == 1)
-        throw std::invalid_argument(
-            "one value determines an unknown mean and no amplitude; give two directions or a zero mean");
-    return n - 1;
-}
-
-std::vector<double> GaussianProcess::deviations(std::vector<double> values) const {
-    require_one_value_per_direction(values);
-    if (mean_.empty()) return values;
-    const double radiance = sum_of_products(solved_mean_, values) / mean_information_;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= radiance * mean_[i];
-    return values;
-}
-
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    const std::vector<double> whitened = cholesky_.solve_lower(deviations(values));
-    return std::sqrt(sum_of_products(whitened, whitened) / freedom());
+    require_one_value_per_direction(values);
+    const std::vector<double> whitened = cholesky_.solve_lower(values);
+    return std::sqrt(sum_of_products(whitened, whitened) / static_cast<double>(values.size()));
 }
 
 double GaussianProcess::standard_error(const std::vector<double>& values) const {
@@ -133,18 +94,8 @@ double GaussianProcess::standard_error(const std::vector<double>& values) const 
 }
 
 double GaussianProcess::log_evidence(const std::vector<double>& values) const {
-    const double information = mean_.empty() ? 0 : portable::log(mean_information_);
-    return -freedom() * portable::log(amplitude(values)) - 0.5 * (cholesky_.log_determinant() + information);
-}
-
-std::vector<double> GaussianProcess::leave_one_out(const std::vector<double>& values, const Matrix& inverse) const {
-    freedom();  // throws where nothing is left to predict from
-    std::vector<double> residuals = cholesky_.solve(deviations(values));
-    for (std::size_t i = 0; i < residuals.size(); ++i) {
-        const double h = mean_.empty() ? 0 : solved_mean_[i];
-        residuals[i] /= inverse(i, i) - h * h / mean_information_;
-    }
-    return residuals;
+    const double n = static_cast<double>(values.size());
+    return -n * portable::log(amplitude(values)) - 0.5 * cholesky_.log_determinant();
 }
 
 void GaussianProcess::require_one_value_per_direction(const std::vector<double>& values) const {

@@ -20,7 +20,8 @@ QuadratureRule monte_carlo_rule(DirectionSet set) {
 }
 // END SOLUTION
 
-QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior prior) {
-    const GaussianProcess process(covariance, noise, std::move(directions), prior);
-    return {process.directions(), process.weights(), prior.known};
+QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
+                             KnownPart known) {
+    const GaussianProcess process(covariance, noise, std::move(directions), known);
+    return {process.directions(), process.weights(), known};
 }

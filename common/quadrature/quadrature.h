@@ -46,7 +46,7 @@ QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess; throws as it does.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                             Prior prior = {});
+                             KnownPart known = KnownPart::nothing);
 
 // What rules are made by, the number of their directions apart: what all experiments have settings for.
 struct ModelSettings {
@@ -54,7 +54,7 @@ struct ModelSettings {
     double smoothness = 1.5;  // of the family sobolev
     double length_scale = 1;  // of the other
     double noise = 0.01;
-    Prior prior;
+    KnownPart known = KnownPart::nothing;
     Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 

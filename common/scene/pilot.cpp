@@ -26,7 +26,7 @@ Pilot run_pilot(const Scene& scene, const Light& light, const RenderSettings& se
             const std::optional<Hit> hit = intersect(scene, camera.ray(x, y));
             if (!hit) continue;
             Random random = pixel_stream(settings, x, y);
-            errors.push_back(pixel_error(scene, light, settings.prior.known, *hit, rules.of(hit->normal, random)));
+            errors.push_back(pixel_error(scene, light, settings.known, *hit, rules.of(hit->normal, random)));
             pilot.amplitude += errors.back().amplitude;
         }
     if (errors.empty()) return pilot;
@@ -43,8 +43,7 @@ Pilot run_pilot(const Scene& scene, const Light& light, const RenderSettings& se
 
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const Light& light,
                           RenderSettings settings) {
-    const PrefilteredEnvironment* const averages =
-        settings.prior.known == KnownPart::light ? &light.averages() : nullptr;
+    const PrefilteredEnvironment* const averages = settings.known == KnownPart::light ? &light.averages() : nullptr;
     settings.show = Show::error;
     // A pool, and one of eight, as it changes nothing that is expected of a pixel's error.
     if (settings.method == Method::direct) settings.method = Method::pool;

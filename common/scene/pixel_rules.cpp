@@ -29,8 +29,8 @@ std::shared_ptr<const PixelRule> PixelRules::fresh_rule(std::size_t samples, Ran
     if (settings_.method == Method::mc) {
         rule = monte_carlo_rule(std::move(set));
     } else {
-        GaussianProcess process(*covariance_, settings_.noise, std::move(set.directions), settings_.prior);
-        rule = {process.directions(), process.weights(), settings_.prior.known};
+        GaussianProcess process(*covariance_, settings_.noise, std::move(set.directions), settings_.known);
+        rule = {process.directions(), process.weights(), settings_.known};
         if (settings_.show == Show::error) pixel_rule.process = std::move(process);
     }
     pixel_rule.rule = averages_ ? quotient_rule(rule) : cosine_rule(rule);

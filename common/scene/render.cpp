@@ -36,13 +36,13 @@ private:
     Color shown(const Hit& hit, Random& random) const {
         const PlacedRule placed = rules_.of(hit.normal, random);
         if (settings_.show == Show::picture) return reflected(hit, placed);
-        const PixelError error = pixel_error(scene_, light_, settings_.prior.known, hit, placed);
+        const PixelError error = pixel_error(scene_, light_, settings_.known, hit, placed);
         return standard_error(error, picture_amplitude_, rules_.samples());
     }
 
     Color reflected(const Hit& hit, const PlacedRule& placed) const {
         const auto& [rule, caps, process] = *placed.rule;
-        return settings_.prior.known == KnownPart::light
+        return settings_.known == KnownPart::light
                    ? reflected_known_light(scene_, light_.averages(), hit, rule, caps, placed.frame, placed.sun)
                    : reflected_light(scene_, light_.environment(), hit, rule, placed.frame);
     }
@@ -57,7 +57,7 @@ private:
 }  // namespace
 
 Image render(const Scene& scene, const Light& light, const RenderSettings& settings, const Progress& progress) {
-    PixelRules rules(settings, settings.prior.known == KnownPart::light ? &light.averages() : nullptr);
+    PixelRules rules(settings, settings.known == KnownPart::light ? &light.averages() : nullptr);
     const std::size_t steps = rules.shared_count() + static_cast<std::size_t>(settings.height);
     std::atomic<std::size_t> done{0};
     const auto report = [&] {

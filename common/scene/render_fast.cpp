@@ -136,7 +136,7 @@ public:
         : samples_(rules.samples()),
           scene_(scene),
           environment_(light.environment()),
-          averages_(settings.prior.known == KnownPart::light ? &light.averages() : nullptr),
+          averages_(settings.known == KnownPart::light ? &light.averages() : nullptr),
           settings_(settings),
           rules_(rules),
           shared_(rules.shared().size()) {

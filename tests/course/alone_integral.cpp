@@ -33,7 +33,6 @@ std::vector<double> hemisphere_integrals(const Covariance&, const std::vector<Ve
 }
 
 NotPositiveDefinite::NotPositiveDefinite(std::size_t, double, double) : std::runtime_error("") {}
-NotPositiveDefinite::NotPositiveDefinite(const std::string&, const NotPositiveDefinite&) : std::runtime_error("") {}
 
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {
     upper_(0, 0) = std::sqrt(2.0);

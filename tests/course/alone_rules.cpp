@@ -44,11 +44,11 @@ QuadratureRule monte_carlo_rule(DirectionSet set) {
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {}
 
 // The weights of a rule are its number.
-GaussianProcess::GaussianProcess(const Covariance&, double noise, std::vector<Vec3> directions, Prior)
+GaussianProcess::GaussianProcess(const Covariance&, double noise, std::vector<Vec3> directions, KnownPart)
     : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(noise) {
     weights_.assign(directions_.size(), static_cast<double>(++rules_made));
 }
-QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Prior) {
+QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart) {
     const GaussianProcess process(covariance, noise, std::move(directions));
     return {process.directions(), process.weights()};
 }

@@ -136,9 +136,9 @@ void bench_known_light() {
         settings.placement = Placement::cosine_fibonacci;
         std::vector<double> cosine, known;
         for (int run = 0; run < 7; ++run) {
-            settings.prior.known = KnownPart::cosine;
+            settings.known = KnownPart::cosine;
             cosine.push_back(ray_seconds(light, settings));
-            settings.prior.known = KnownPart::light;
+            settings.known = KnownPart::light;
             known.push_back(ray_seconds(light, settings));
         }
         const double least = *std::min_element(cosine.begin(), cosine.end());

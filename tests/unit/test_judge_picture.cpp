@@ -160,7 +160,7 @@ TEST_CASE("a picture of another method is found and named" * doctest::test_suite
 TEST_CASE("streaks are found, and the pixels that share random numbers are named") {
     RenderSettings dense = settings_of(Method::mc, 500);
     dense.placement = Placement::cosine_fibonacci;
-    dense.prior.known = KnownPart::light;
+    dense.known = KnownPart::light;
     const Image truth = render(sphere_scene(), desert(), dense);
     std::vector<double> noise;  // of every column, about as much as a pool has
     Random random(3, 0);

@@ -14,38 +14,34 @@ std::vector<Integrand> radiance() {
     return scene_integrands(std::make_shared<const EnvironmentMap>(built_in_environment()), 10);
 }
 
-std::vector<Judged> both(const std::vector<Integrand>& integrands, std::size_t sets) {
-    return {judge(rough, 0.01, integrands, 40, sets), judge(smooth, 0.01, integrands, 40, sets)};
+std::vector<Examined> both(const std::vector<Integrand>& integrands, std::size_t sets) {
+    return {examine(rough, 0.01, integrands, 40, sets), examine(smooth, 0.01, integrands, 40, sets)};
 }
 
 }  // namespace
 
 TEST_CASE("the smooth covariance wins on the smooth cosine, and every set of samples knows it") {
-    const std::vector<Judged> models = both({practice_integrands()[1]}, 100);
+    const std::vector<Examined> models = both({practice_integrands()[1]}, 100);
     CHECK(models[1].rmse() < 0.3 * models[0].rmse());
-    for (const auto criterion : {&Verdict::surprise, &Verdict::leave_one_out}) {
-        const Choice choice = choice_by(criterion, models);
-        CHECK(choice.smooth == 1);
-        CHECK(choice.rmse == models[1].rmse());
-        CHECK(choice.pooled_rmse == models[1].rmse());
-    }
+    const Choice choice = choice_by_evidence(models);
+    CHECK(choice.smooth == 1);
+    CHECK(choice.rmse == models[1].rmse());
+    CHECK(choice.pooled_rmse == models[1].rmse());
 }
 
 TEST_CASE("the rough covariance wins on radiance, and most but not all sets of samples know it") {
-    const std::vector<Judged> models = both(radiance(), 20);
+    const std::vector<Examined> models = both(radiance(), 20);
     CHECK(models[1].rmse() > 1.2 * models[0].rmse());
-    for (const auto criterion : {&Verdict::surprise, &Verdict::leave_one_out}) {
-        const Choice choice = choice_by(criterion, models);
-        CHECK(choice.smooth > 0.02);
-        CHECK(choice.smooth < 0.5);
-        CHECK(choice.pooled_rmse == models[0].rmse());
-    }
+    const Choice choice = choice_by_evidence(models);
+    CHECK(choice.smooth > 0.02);
+    CHECK(choice.smooth < 0.5);
+    CHECK(choice.pooled_rmse == models[0].rmse());
 }
 
 TEST_CASE("85 to 99.9 percent of the errors on the desert's radiance lie within two predicted standard errors") {
     const std::vector<Integrand> integrands = radiance();
     for (const std::size_t n : {std::size_t{20}, std::size_t{40}, std::size_t{80}}) {
-        const double coverage = judge(rough, 0.01, integrands, n, 100).coverage();
+        const double coverage = examine(rough, 0.01, integrands, n, 100).coverage();
         CHECK(coverage >= 0.85);
         CHECK(coverage <= 0.999);
     }

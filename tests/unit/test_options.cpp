@@ -21,9 +21,8 @@ TEST_CASE("model options make the covariance that they name") {
     CHECK((*settings.make_covariance())(0.75) == Sobolev(1.3)(0.75));
     CHECK(settings.placement == Placement::fibonacci);
     settings = {};
-    CHECK(parse_model({"--known", "cosine", "--mean", "uniform", "--placement", "cosine-fibonacci"}, settings).empty());
-    CHECK(settings.prior.known == KnownPart::cosine);
-    CHECK(settings.prior.mean == PriorMean::uniform);
+    CHECK(parse_model({"--known", "cosine", "--placement", "cosine-fibonacci"}, settings).empty());
+    CHECK(settings.known == KnownPart::cosine);
     CHECK(settings.placement == Placement::cosine_fibonacci);
     CHECK_NOTHROW(require_closed_form(settings));
     settings.smoothness = 1.4;
@@ -41,7 +40,7 @@ TEST_CASE("only a picture has a light that can be known") {
     RenderSettings settings;
     CHECK_THROWS_AS(parse_model({"--known", "light"}, settings), UsageError);
     CHECK(parse({"--known", "light"}, RenderOptions(settings).process).empty());
-    CHECK(settings.prior.known == KnownPart::light);
+    CHECK(settings.known == KnownPart::light);
     CHECK(parse({"--method", "mc", "--known", "light"},
                 joined({{RenderOptions(settings).method}, RenderOptions(settings).process}))
               .empty());

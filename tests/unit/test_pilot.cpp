@@ -14,7 +14,7 @@ const Scene scene = sphere_scene();
 
 RenderSettings small(KnownPart known, std::size_t samples, int size = 60) {
     RenderSettings settings;
-    settings.prior.known = known;
+    settings.known = known;
     if (known != KnownPart::nothing) settings.placement = Placement::cosine_fibonacci;
     settings.samples = samples;
     settings.width = settings.height = size;
@@ -29,7 +29,7 @@ Image errors_of(const Light& light, RenderSettings settings) {
 
 double pilot_rmse(const Light& light, RenderSettings settings) {
     settings.show = Show::error;
-    PixelRules rules(settings, settings.prior.known == KnownPart::light ? &light.averages() : nullptr);
+    PixelRules rules(settings, settings.known == KnownPart::light ? &light.averages() : nullptr);
     for (std::size_t i = rules.shared_count(); i > 0; --i) rules.make_shared_rule();
     return run_pilot(scene, light, settings, rules).rmse;
 }
@@ -37,7 +37,7 @@ double pilot_rmse(const Light& light, RenderSettings settings) {
 Image dense_quadrature(const Light& light, RenderSettings settings) {
     settings.method = Method::mc;
     settings.placement = Placement::fibonacci;
-    settings.prior = {};
+    settings.known = KnownPart::nothing;
     settings.samples = 20000;
     return render(scene, light, settings);
 }

@@ -5,16 +5,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
-
-#if defined(__SSE2__) && defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
 
 using portable::bits_of;
 using portable::from_bits;
@@ -226,39 +220,5 @@ TEST_CASE("every function gives the recorded bits on this machine") {
     CHECK(hash_of(sine) == 0x39e8b4d97cf50daeU);
     CHECK(hash_of(cosine) == 0x782be0a0a4c49007U);
 }
-
-#ifndef UNGUARDED_ARITHMETIC
-TEST_CASE("check_arithmetic accepts this process") { CHECK_NOTHROW(portable::check_arithmetic()); }
-
-bool refuses() {
-    try {
-        portable::check_arithmetic();
-    } catch (const std::runtime_error&) {
-        return true;
-    }
-    return false;
-}
-
-TEST_CASE("check_arithmetic refuses every rounding mode but to nearest") {
-    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-        REQUIRE(std::fesetround(mode) == 0);
-        const bool refused = refuses();
-        std::fesetround(FE_TONEAREST);
-        CHECK(refused);
-    }
-}
-
-#if defined(__SSE2__) && defined(__x86_64__)
-TEST_CASE("check_arithmetic refuses subnormals flushed to zero, as results or as operands") {
-    for (const unsigned flag : {0x8000U, 0x0040U}) {  // FTZ, DAZ
-        const unsigned saved = _mm_getcsr();
-        _mm_setcsr(saved | flag);
-        const bool refused = refuses();
-        _mm_setcsr(saved);
-        CHECK(refused);
-    }
-}
-#endif
-#endif
 
 }  // namespace

@@ -24,9 +24,9 @@ std::vector<Vec3> some_directions(std::size_t n = 20) {
 PlacedRule placed(PixelRule rule) { return {std::make_shared<const PixelRule>(std::move(rule)), Frame({0, 1, 0})}; }
 
 // With an even light over the caps, unless the light is not known.
-PlacedRule process_rule(Prior prior, std::vector<Vec3> directions, const LightTable* cap = nullptr) {
-    GaussianProcess process(Sobolev(), 0.01, std::move(directions), prior);
-    const QuadratureRule rule{process.directions(), process.weights(), prior.known};
+PlacedRule process_rule(KnownPart known, std::vector<Vec3> directions, const LightTable* cap = nullptr) {
+    GaussianProcess process(Sobolev(), 0.01, std::move(directions), known);
+    const QuadratureRule rule{process.directions(), process.weights(), known};
     std::vector<const LightTable*> caps;
     if (cap) caps.assign(rule.weights.size(), cap);
     return placed({cosine_rule(rule), caps, std::move(process)});
@@ -55,7 +55,7 @@ TEST_CASE("Monte Carlo's error is the standard deviation of its samples over the
 
 TEST_CASE("with nothing or the cosine known the error is the process's, times albedo / pi") {
     for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine}) {
-        const PlacedRule rule = process_rule({known, PriorMean::zero}, some_directions());
+        const PlacedRule rule = process_rule(known, some_directions());
         std::vector<double> values;
         for (const Vec3 direction : some_directions())
             values.push_back(!sees(direction) ? 0 : known == KnownPart::cosine ? 1 : direction.y);
@@ -69,7 +69,7 @@ TEST_CASE("with nothing or the cosine known the error is the process's, times al
 TEST_CASE("an even light that is known leaves the error of the visibility's mean") {
     const float rgb[] = {1, 1, 1};
     const LightTable even{0.1, 1, 1, rgb};
-    const PlacedRule rule = process_rule({KnownPart::cosine, PriorMean::zero}, some_directions(), &even);
+    const PlacedRule rule = process_rule(KnownPart::cosine, some_directions(), &even);
     const PixelError error = pixel_error(sphere_scene(), white, KnownPart::light, beside, rule);
     CHECK(relative(error.variance.x, rule.rule->process->variance() / (pi * pi)) < rounding);
     std::vector<double> visible;
@@ -88,7 +88,7 @@ TEST_CASE("an even light that is known leaves the error of the visibility's mean
 TEST_CASE("a sun in one sample's cap leaves the error of one sample") {
     const float rgb[] = {1, 1, 1}, sun_rgb[] = {1e6f, 1, 1};
     const LightTable even{0.1, 1, 1, rgb}, sun{0.1, 1, 1, sun_rgb};
-    PlacedRule rule = process_rule({KnownPart::cosine, PriorMean::zero}, some_directions(), &even);
+    PlacedRule rule = process_rule(KnownPart::cosine, some_directions(), &even);
     PixelRule changed = *rule.rule;
     changed.caps[3] = &sun;
     const PixelError error = pixel_error(sphere_scene(), white, KnownPart::light, beside, placed(changed));
@@ -108,7 +108,7 @@ TEST_CASE("samples that agree tell no amplitude, and the picture's stands in for
     CHECK(error.z == 0);
     const float rgb[] = {1, 1, 1};
     const LightTable even{0.1, 1, 1, rgb};
-    const PlacedRule rule = process_rule({KnownPart::cosine, PriorMean::zero}, some_directions(), &even);
+    const PlacedRule rule = process_rule(KnownPart::cosine, some_directions(), &even);
     CHECK(pixel_error(sphere_scene(), white, KnownPart::light, top, rule).amplitude.x == 0);
 }
 
@@ -116,14 +116,11 @@ TEST_CASE("one sample says nothing where a mean is unknown, and is refused") {
     const std::vector<Vec3> one = {{0, 1, 0}};
     const PlacedRule mc = placed({cosine_rule(monte_carlo_rule({Placement::uniform, one})), {}, {}});
     CHECK_THROWS_AS(pixel_error(sphere_scene(), white, KnownPart::nothing, top, mc), std::invalid_argument);
-    const PlacedRule mean = process_rule({KnownPart::nothing, PriorMean::uniform}, one);
-    CHECK_THROWS_AS(pixel_error(sphere_scene(), white, KnownPart::nothing, top, mean), std::invalid_argument);
     const float rgb[] = {1, 1, 1};
     const LightTable even{0.1, 1, 1, rgb};
-    const PlacedRule light = process_rule({KnownPart::cosine, PriorMean::zero}, one, &even);
+    const PlacedRule light = process_rule(KnownPart::cosine, one, &even);
     CHECK_THROWS_AS(pixel_error(sphere_scene(), white, KnownPart::light, top, light), std::invalid_argument);
-    CHECK_NOTHROW(pixel_error(sphere_scene(), white, KnownPart::cosine, top,
-                              process_rule({KnownPart::cosine, PriorMean::zero}, one)));
+    CHECK_NOTHROW(pixel_error(sphere_scene(), white, KnownPart::cosine, top, process_rule(KnownPart::cosine, one)));
 }
 
 // Over the points of a picture. The differences of neighbouring rays count an edge between two strata like one within:
@@ -139,8 +136,7 @@ TEST_CASE("the variance that a known sun adds is about that of the fraction of i
             const std::optional<Hit> hit = intersect(scene, camera.ray(x, y));
             if (!hit) continue;
             Random random(1, static_cast<std::uint64_t>(40 * y + x));
-            PlacedRule rule =
-                process_rule({KnownPart::light, PriorMean::zero}, some_directions(), &light.averages().tables()[2]);
+            PlacedRule rule = process_rule(KnownPart::light, some_directions(), &light.averages().tables()[2]);
             rule.sun = {16, random};
             const Color scale = 1 / pi * (hit->albedo * light.averages().sun_irradiance(hit->normal));
             const Color found = visible_sun(scene, light.averages(), *hit, rule.sun).fraction;

@@ -134,7 +134,7 @@ TEST_CASE("1, 2 and 7 threads give the same bytes for every method") {
 TEST_CASE("1 and 3 threads give the same bytes where the light is known") {
     RenderSettings settings = small(Method::pool);
     const std::string unknown = picture(settings);
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     const std::string one = picture(settings);
     settings.threads = 3;
     CHECK(picture(settings) == one);
@@ -182,36 +182,12 @@ TEST_CASE("a white furnace shows the albedo: MC within 5 standard errors, BMC wi
     }
 }
 
-TEST_CASE(
-    "a uniform environment is rendered exactly by every prior with the mean uniform, where nothing is in the way") {
-    const EnvironmentMap light(1, 1, {0.75, 0.5, 0.25});
-    Scene scene = sphere_scene();
-    scene.rectangle.x_max = scene.rectangle.x_min;
-    for (Method method : {Method::direct, Method::single, Method::rotated, Method::pool})
-        for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine})
-            for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci}) {
-                RenderSettings settings = small(method);
-                settings.prior = {known, PriorMean::uniform};
-                settings.placement = placement;
-                settings.samples = 10;
-                const Image image = render(scene, light, settings);
-                for (int y = 0; y < 40; ++y)
-                    for (int x = 0; x < 40; ++x) {
-                        if (!intersect(scene, Camera{40, 40}.ray(x, y))) continue;
-                        // 1e-12 before the image rounds to float; 0.75 * 0.8 as a float is within 3e-8 of it.
-                        CHECK(std::fabs(image(x, y).x - static_cast<double>(0.6f)) < 6e-8);
-                        CHECK(std::fabs(image(x, y).y - static_cast<double>(0.4f)) < 6e-8);
-                        CHECK(std::fabs(image(x, y).z - static_cast<double>(0.2f)) < 6e-8);
-                    }
-            }
-}
-
 TEST_CASE("knowing the cosine and placing the samples by it halves the error of the default") {
     const EnvironmentMap environment = built_in_environment();
     const Image truth = dense_quadrature(environment);
     RenderSettings settings = small(Method::pool);
     const double plain = error_of(render(sphere_scene(), environment, settings), truth).rmse;
-    settings.prior.known = KnownPart::cosine;
+    settings.known = KnownPart::cosine;
     settings.placement = Placement::cosine_fibonacci;
     const double informed = error_of(render(sphere_scene(), environment, settings), truth).rmse;
     CHECK(informed / plain < 0.55);
@@ -229,7 +205,7 @@ TEST_CASE("a known light is rendered exactly by every method from one direction 
                 for (const std::size_t samples : {std::size_t{1}, std::size_t{7}, std::size_t{520}}) {
                     if (samples == 520 && method == Method::direct) continue;  // more than one batch takes a minute
                     RenderSettings settings = small(method);
-                    settings.prior.known = KnownPart::light;
+                    settings.known = KnownPart::light;
                     settings.placement = placement;
                     settings.samples = samples;
                     CHECK(count_inexact(scene, render(scene, light, settings), light.averages()) == 0);
@@ -244,7 +220,7 @@ TEST_CASE("a grey light that is known stays grey in the shadow") {
         grey.insert(grey.end(), 3, environment.texels()[3 * i]);
     const EnvironmentMap map(environment.width(), environment.height(), grey);
     RenderSettings settings = small(Method::pool);
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     Scene scene = sphere_scene();
     scene.rectangle.albedo = scene.sphere.albedo;
     const Image image = render(scene, map, settings);
@@ -259,7 +235,7 @@ TEST_CASE("where the light is known nothing is brighter than without shadows, an
     const PrefilteredEnvironment light(environment);
     RenderSettings settings = small(Method::direct);
     settings.samples = 3;
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     const Image bright = render(sphere_scene(), environment, settings);
     const Image dark = render(sphere_scene(), black, settings);
     for (int y = 0; y < 40; ++y)
@@ -279,9 +255,9 @@ TEST_CASE("a known light leaves a twentieth of the error under a bright sun, 0.9
         const Image truth = dense_quadrature(environment);
         RenderSettings settings = small(Method::pool);
         settings.placement = Placement::cosine_fibonacci;
-        settings.prior.known = KnownPart::cosine;
+        settings.known = KnownPart::cosine;
         const double without = error_of(render(sphere_scene(), environment, settings), truth).rmse;
-        settings.prior.known = KnownPart::light;
+        settings.known = KnownPart::light;
         const double with = error_of(render(sphere_scene(), environment, settings), truth).rmse;
         CAPTURE(with);
         CAPTURE(without);
@@ -296,7 +272,7 @@ TEST_CASE("a known sun has rays of its own: a fifth of the error that one rule f
     const Image truth = dense_quadrature(environment);
     RenderSettings settings = small(Method::pool);
     settings.placement = Placement::cosine_fibonacci;
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     CHECK(error_of(render(sphere_scene(), light, settings), truth).rmse < 0.05);  // 0.16 by one rule
     settings.samples = 10;
     CHECK(error_of(render(sphere_scene(), light, settings), truth).rmse < 0.08);  // 0.31 by one rule
@@ -325,7 +301,7 @@ TEST_CASE("no pixel is black where a rule has a negative weight and the light is
     Random random(1, 0);
     RenderSettings settings = small(Method::direct);
     settings.samples = 12;
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     PixelRules rules(settings, &light.averages());
     for (int i = 0; i < 200; ++i) {
         const PlacedRule placed = rules.of({0, 1, 0}, random);
@@ -340,7 +316,7 @@ TEST_CASE("a known light and many directions tend to the same picture as a dense
     RenderSettings settings = small(Method::mc);
     settings.placement = Placement::fibonacci;
     settings.samples = 20000;
-    settings.prior.known = KnownPart::light;
+    settings.known = KnownPart::light;
     const ImageError error = error_of(render(sphere_scene(), environment, settings), truth);
     CHECK(error.rmse < 2e-4);  // 0.7e-4 each, by a sum over all texels
     CHECK(std::fabs(error.brightness) < 1e-4);

@@ -35,18 +35,17 @@ const Method all_methods[] = {Method::mc, Method::direct, Method::single, Method
 
 }  // namespace
 
-TEST_CASE("the fast loops give the textbook's bytes for every method, placement, known part and mean") {
+TEST_CASE("the fast loops give the textbook's bytes for every method, placement and known part") {
     for (const Light& light : lights)
         for (const Method method : all_methods)
             for (const auto& placement : placement_names)
-                for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine, KnownPart::light})
-                    for (const PriorMean mean : {PriorMean::zero, PriorMean::uniform}) {
-                        RenderSettings settings = small(method, 11);
-                        settings.placement = placement.second;
-                        settings.prior = {known, mean};
-                        CAPTURE(placement.first);
-                        CHECK(agree(settings, light));
-                    }
+                for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine, KnownPart::light}) {
+                    RenderSettings settings = small(method, 11);
+                    settings.placement = placement.second;
+                    settings.known = known;
+                    CAPTURE(placement.first);
+                    CHECK(agree(settings, light));
+                }
 }
 
 // Batches, vectors and blocks end at 8, 16, 64 pixels, 256 and 1024 rays.
@@ -56,7 +55,7 @@ TEST_CASE("the fast loops give the textbook's bytes for every number of samples"
             for (const KnownPart known : {KnownPart::nothing, KnownPart::light}) {
                 RenderSettings settings = small(method, samples);
                 settings.pool = samples > 100 ? 1 : 3;
-                settings.prior.known = known;
+                settings.known = known;
                 CAPTURE(samples);
                 CHECK(agree(settings, lights[0]));
             }
@@ -66,7 +65,7 @@ TEST_CASE("the fast loops give the textbook's bytes for every number of samples"
                 RenderSettings settings = small(Method::mc, samples);
                 settings.placement = placement;
                 settings.width = settings.height = 9;
-                settings.prior.known = known;
+                settings.known = known;
                 CAPTURE(samples);
                 CHECK(agree(settings, lights[1]));
             }
@@ -91,7 +90,7 @@ TEST_CASE("the fast loops give the textbook's bytes for pictures of any size, an
                 settings.width = width;
                 settings.height = height;
                 settings.threads = 3;
-                settings.prior.known = known;
+                settings.known = known;
                 CHECK(agree(settings, lights[1]));
             }
 }
@@ -108,7 +107,7 @@ TEST_CASE(
         for (const KnownPart known : {KnownPart::nothing, KnownPart::light})
             for (const Scene& scene : {sphere_scene(), under}) {
                 RenderSettings settings = small(Method::rotated, 20);
-                settings.prior.known = known;
+                settings.known = known;
                 CHECK(agree(settings, map, scene));
             }
     }
