@@ -1,5 +1,6 @@
-// Where the arithmetic of a Gaussian process breaks: how many digits of its weights are right at the extremes of the
-// number of samples, the noise, the covariance and the sample set.
+// Where the arithmetic of a Gaussian process breaks: how many digits of its weights hold at the extremes of the number
+// of samples, the noise, the covariance and the sample set. Turning all directions about the up axis must not change a
+// weight (covariance.h), but it changes every rounding error. The digits that stay the same are those that hold.
 #pragma once
 
 #include "command_line.h"
@@ -24,16 +25,17 @@ struct StabilityRow {
     std::size_t samples;
     Model model;
     double noise;
-    bool refused = false;     // the covariance matrix; then the numbers below are 0
-    double weight_error = 0;  // the largest, over the largest weight; infinite if no digit is right
+    bool refused = false;  // the covariance matrix; then the numbers below are 0
 
-    // Of up to 1000 samples, since the inverse of more takes long: |Q| |Q^-1| by row_sum_norm, and the error of Q^-1 z.
+    // The largest difference from the weights of four turned sets, over the largest weight; infinite if one is refused.
+    double weight_error = 0;
+
+    // Of up to 1000 samples, since the inverse of more takes long: |Q| |Q^-1| by row_sum_norm, and the same difference
+    // of the weights Q^-1 z.
     double condition = 0, inverse_error = 0;
 };
 
-// A row for each noise. The errors of the weights are those from the directions on: covariances, z, factor and
-// solution.
-std::vector<StabilityRow> examine(SampleSet set, std::size_t n, const Model& model, const std::vector<double>& noises);
+StabilityRow examine_stability(SampleSet set, std::size_t n, const Model& model, double noise);
 
 struct Stability {
     bool all = false;

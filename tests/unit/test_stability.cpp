@@ -1,100 +1,60 @@
 #include "experiments/stability.h"
 
-#include "experiments/exact_weights.h"
 #include "quadrature/gaussian_process.h"
 
 #include <doctest/doctest.h>
 
 #include <cfloat>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 namespace {
 
-// Weights Q^-1 z by Gaussian elimination in double-double arithmetic; Q and z as they are, in doubles.
-std::vector<double> wide_weights(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
-    const std::size_t n = directions.size();
-    const Matrix q = symmetric(covariance_matrix(covariance, noise, directions));
-    const std::vector<double> z = hemisphere_integrals(covariance, directions);
-    std::vector<std::vector<DoubleDouble>> a(n, std::vector<DoubleDouble>(n + 1));
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) a[i][j] = q(i, j);
-        a[i][n] = z[i];
-    }
-    for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const DoubleDouble factor = a[i][k] / a[k][k];
-            for (std::size_t j = k; j <= n; ++j) a[i][j] = a[i][j] - factor * a[k][j];
-        }
-    std::vector<double> weights(n);
-    for (std::size_t i = n; i-- > 0;) {
-        for (std::size_t j = i + 1; j < n; ++j) a[i][n] = a[i][n] - a[i][j] * a[j][n];
-        a[i][n] = a[i][n] / a[i][i];
-        weights[i] = a[i][n].high;
-    }
-    return weights;
+StabilityRow examine(SampleSet set, const Model& model, double noise) {
+    return examine_stability(set, 100, model, noise);
 }
 
-StabilityRow examine_one(SampleSet set, const Model& model, double noise) {
-    return examine(set, 100, model, {noise}).front();
-}
+const Model rough(CovarianceFamily::sobolev, 1.5), smooth(CovarianceFamily::squared_exponential, 1);
 
 }  // namespace
 
-TEST_CASE(
-    "weights agree with double-double arithmetic as far as the condition number allows, by solve and by inverse") {
-    const Sobolev rough;
-    const SquaredExponential smooth(1);
-    for (const SampleSet set : {SampleSet::random, SampleSet::duplicates, SampleSet::equator, SampleSet::cluster})
-        for (const Covariance* covariance :
-             {static_cast<const Covariance*>(&rough), static_cast<const Covariance*>(&smooth)})
-            for (const double noise : {1.0, 1e-2, 1e-4}) {
-                const std::vector<Vec3> directions = sample_set(set, 40);
-                const std::vector<double> exact = wide_weights(*covariance, noise, directions);
-                const GaussianProcess process(*covariance, noise, directions);
-                const Matrix inverse = process.inverse_covariance();
-                const Matrix q = symmetric(covariance_matrix(*covariance, noise, directions));
-                const double condition = row_sum_norm(q) * row_sum_norm(inverse);
-                double largest = 0, by_solve = 0, by_inverse = 0, z_norm = 0;
-                for (std::size_t i = 0; i < 40; ++i) {
-                    double weight = 0;
-                    for (std::size_t j = 0; j < 40; ++j) weight += inverse(i, j) * process.z()[j];
-                    z_norm = std::max(z_norm, process.z()[i]);
-                    largest = std::max(largest, std::fabs(exact[i]));
-                    by_solve = std::max(by_solve, std::fabs(process.weights()[i] - exact[i]));
-                    by_inverse = std::max(by_inverse, std::fabs(weight - exact[i]));
-                }
-                CAPTURE(name_of(set, sample_set_names));
-                CAPTURE(noise);
-                // A backward stable solution is wrong by about eps times the condition number. So is each column of the
-                // inverse, relative to itself; where A is nearly singular, the columns are far larger than the weights.
-                CHECK(by_solve < 4 * DBL_EPSILON * condition * largest);
-                CHECK(by_inverse < 4 * DBL_EPSILON * condition * row_sum_norm(inverse) * z_norm);
-            }
-}
-
-// Where the covariances of doubles are exact, Gaussian elimination with 32 digits has the same weights: k = 8/3 - r
-// with r = 0 or 1 (8/3 is rounded by 1.5e-16), z by its closed form (to 5e-16).
-TEST_CASE("exact weights are those of elimination with 32 digits, but for the rounding of Q and z") {
-    const std::vector<Vec3> directions{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
-    for (const Model& model : {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::sobolev, 1.25),
-                               Model(CovarianceFamily::squared_exponential, 0.5)})
-        for (const double noise : {1.0, 0.5}) {
-            const GaussianProcess process(*model.covariance, noise, directions);
-            const std::vector<double> weights = wide_weights(*model.covariance, noise, directions);
-            CHECK(ExactWeights(model, directions).error_of(weights, noise, process.cholesky()) < 1e-14);
+TEST_CASE("turning a set shows the error of its weights to a factor of 20, beside weights of 60 digits") {
+    std::ifstream in("tests/unit/weights.txt");
+    std::string line, set, family;
+    double noise = 0, weight = 0;
+    int settings = 0;
+    while (std::getline(in, line)) {
+        if (line[0] == '#') continue;
+        std::istringstream words(line);
+        words >> set >> family >> noise;
+        const SampleSet its_set = parse_choice(set, sample_set_names);
+        const Model& model = family == "sobolev" ? rough : smooth;
+        const std::vector<double> weights =
+            GaussianProcess(*model.covariance, noise, sample_set(its_set, 40)).weights();
+        double error = 0, largest = 0;
+        for (const double each : weights) {
+            REQUIRE(static_cast<bool>(words >> weight));
+            error = std::max(error, std::fabs(each - weight));
+            largest = std::max(largest, std::fabs(weight));
         }
+        const StabilityRow row = examine_stability(its_set, 40, model, noise);
+        CAPTURE(line.substr(0, 40));
+        // A backward stable solution is wrong by about eps times the condition number.
+        CHECK(error < 4 * DBL_EPSILON * row.condition * largest);
+        // Measured: a ratio from 0.2 to 12. In the cluster exp(-r^2 / 2) rounds to 1, turned or not.
+        const double ratio = row.weight_error / (error / largest);
+        if (its_set == SampleSet::cluster && &model == &smooth && noise == 1e-6)
+            CHECK(ratio < 1e-3);
+        else
+            CHECK(std::fabs(std::log(ratio)) < std::log(20));
+        ++settings;
+    }
+    CHECK(settings == 30);
 }
 
-// Solving Q w = z with 60 digits, Q and z from the directions, gave these, to the digits that they are written with.
-TEST_CASE("the error of the weights is that from the directions, as was measured with 60 digits") {
-    const Model rough(CovarianceFamily::sobolev, 1.5), smooth(CovarianceFamily::squared_exponential, 1);
-    CHECK(std::fabs(examine_one(SampleSet::cluster, rough, 1e-2).weight_error / 1.5e-9 - 1) < 0.04);
-    CHECK(std::fabs(examine_one(SampleSet::cluster, rough, 1e-4).weight_error / 1.55e-6 - 1) < 0.004);
-    CHECK(std::fabs(examine_one(SampleSet::cluster, smooth, 1e-6).weight_error / 9.3e-4 - 1) < 0.006);
-}
-
-TEST_CASE("where the factor passes and no digit is right, there are no exact weights") {
-    const StabilityRow row = examine_one(SampleSet::random, {CovarianceFamily::squared_exponential, 1}, 0);
+TEST_CASE("where the factor passes by luck, no digit holds") {
+    const StabilityRow row = examine(SampleSet::random, smooth, 0);
     CHECK(!row.refused);
     CHECK(!(row.weight_error < 0.1));
 }
@@ -102,8 +62,7 @@ TEST_CASE("where the factor passes and no digit is right, there are no exact wei
 TEST_CASE("residual ratios stay below 5 at extremes, LAPACK's limit being 30") {
     constexpr std::size_t n = 100;
     for (const SampleSet set : {SampleSet::random, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
-        for (const Model& model :
-             {Model(CovarianceFamily::sobolev, 1.5), Model(CovarianceFamily::squared_exponential, 1)})
+        for (const Model& model : {rough, smooth})
             for (const double noise : {1.0, 1e-4, 1e-6}) {
                 const Matrix q = symmetric(covariance_matrix(*model.covariance, noise, sample_set(set, n)));
                 const Cholesky cholesky(q);
@@ -124,10 +83,10 @@ TEST_CASE("residual ratios stay below 5 at extremes, LAPACK's limit being 30") {
 }
 
 TEST_CASE("weights by the inverse lose digits that weights by the factor keep, but for one sample") {
-    const StabilityRow one = examine(SampleSet::random, 1, {CovarianceFamily::sobolev, 1.5}, {1e-2}).front();
+    const StabilityRow one = examine_stability(SampleSet::random, 1, rough, 1e-2);
     CHECK(one.weight_error < 1e-15);
     CHECK(one.inverse_error < 1e-15);
-    const StabilityRow many = examine_one(SampleSet::equator, {CovarianceFamily::squared_exponential, 1}, 1e-4);
+    const StabilityRow many = examine(SampleSet::equator, smooth, 1e-4);
     CHECK(many.inverse_error > 1000 * many.weight_error);
     CHECK(many.inverse_error < 0.01);
 }
@@ -140,13 +99,13 @@ TEST_CASE("what is singular in double precision is refused, naming the pivot, an
         } catch (const NotPositiveDefinite& error) {
             CHECK(error.index == 1);
         }
-        CHECK(examine_one(set, {CovarianceFamily::sobolev, 1.5}, 0).refused);
-        CHECK(!examine_one(set, {CovarianceFamily::sobolev, 1.5}, 1e-2).refused);
+        CHECK(examine(set, rough, 0).refused);
+        CHECK(!examine(set, rough, 1e-2).refused);
     }
     // As s tends to 2, k tends to C - r^2, of rank 4: constants and the three coordinates.
     const Model nearly_flat{CovarianceFamily::sobolev, std::nextafter(2, 1)};
-    CHECK(examine_one(SampleSet::random, nearly_flat, 0).refused);
-    CHECK(!examine_one(SampleSet::random, nearly_flat, 1e-2).refused);
+    CHECK(examine(SampleSet::random, nearly_flat, 0).refused);
+    CHECK(!examine(SampleSet::random, nearly_flat, 1e-2).refused);
 }
 
 TEST_CASE("a long length-scale makes Bayesian Monte Carlo classic: w = 2 pi / (N + noise^2)") {
