@@ -1,8 +1,6 @@
 #include "judge/judge.h"
 
-#include "experiments/error_table.h"
 #include "judge/judge_picture.h"
-#include "judge/judge_table.h"
 #include "scene/desert.h"
 #include "scene/input.h"
 
@@ -32,27 +30,17 @@ std::string picture_report(const PictureJudgement& judgement) {
 
 std::vector<Option> Judge::options() {
     const RenderOptions render_options(correct);
-    const auto no_picture = [this] { return integrand.empty() ? "" : "an error table has none"; };
-    std::vector<Option> of_picture{
-        render_options.method, render_options.samples, render_options.pool,
-        name_option("environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert", environment)};
-    for (Option& option : of_picture) option = idle_while(no_picture, std::move(option));
-    return joined(
-        {{name_option("", "FILE", "a picture (PPM or PFM) or, with --integrand, a table (-: standard input)", file),
-          name_option("integrand", "NAME",
-                      "the file is the error table of constant, cosine, cosine-cubed or environment", integrand)},
-         of_picture,
-         render_options.process,
-         {render_options.placement}});
+    return joined({{name_option("", "FILE", "a picture, PPM or PFM (-: standard input)", file), render_options.method,
+                    render_options.samples, render_options.pool,
+                    name_option("environment", "FILE", "the picture's light: a Radiance .hdr file, or bright-desert",
+                                environment)},
+                   render_options.process,
+                   {render_options.placement}});
 }
 
 Outcome Judge::report() const {
     if (file.empty()) throw UsageError("judge: name the file to judge, as in ./workbench judge out.ppm");
     require_possible(correct);
-    return integrand.empty() ? judge_picture_file() : judge_table_file();
-}
-
-Outcome Judge::judge_picture_file() const {
     if (correct.samples > 1000) throw UsageError("judge: --samples: at most 1000 can be judged");
     const EnvironmentMap light = load_environment(environment);
     std::optional<PictureFile> picture;
@@ -62,17 +50,5 @@ Outcome Judge::judge_picture_file() const {
     return {line("# %d x %d pixels, %s, beside correct ones of %s\n", picture->image.width(), picture->image.height(),
                  codes.c_str(), options_of(correct).c_str()) +
                 picture_report(judgement),
-            judgement.fits() ? 0 : 1};
-}
-
-Outcome Judge::judge_table_file() const {
-    if (correct.prior.known == KnownPart::light)
-        throw UsageError("judge: --known light: an error table has no light to be known");
-    const Integrand chosen = integrands_named(integrand).front();
-    TableJudgement judgement;
-    read_input(file, [&](std::istream& in) { judgement = judge_table(read_rows(in, 1000), chosen, correct); });
-    return {"# integral of " + chosen.formula +
-                line(" = %.10f, beside means of 100 errors (MC) and of 10 (BMC)\n", chosen.truth) +
-                table_report(judgement),
             judgement.fits() ? 0 : 1};
 }

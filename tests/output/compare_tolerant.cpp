@@ -101,7 +101,7 @@ std::vector<Table> parse_tables(const Lines& reference, const Lines& actual, dou
 
 // What makes results so many times as large, in brackets, if it is known.
 std::string reason(double ratio) {
-    const std::string name = factor_name(ratio, factors, 0.005);
+    const std::string name = factor_name(ratio, 0.005);
     return name.empty() ? "" : " (" + name + ")";
 }
 
