@@ -1,7 +1,7 @@
 // The tolerant half of compare: whether the output of another program agrees, and if not, what a person would see.
 #include "compare.h"
 
-#include "judge/likely_mistakes.h"
+#include "../course/judge/likely_mistakes.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 

@@ -1,4 +1,4 @@
-#include "judge/picture_file.h"
+#include "../course/judge/picture_file.h"
 
 #include <doctest/doctest.h>
 

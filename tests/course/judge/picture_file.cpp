@@ -1,4 +1,4 @@
-#include "judge/picture_file.h"
+#include "picture_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "judge/judge_picture.h"
+#include "judge_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "command_line.h"
-#include "judge/likely_mistakes.h"
-#include "judge/mistaken_pictures.h"
+#include "likely_mistakes.h"
+#include "mistaken_pictures.h"
 
 namespace {
 
