@@ -8,7 +8,6 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
-#include "judge/judge.h"
 #include "scene/desert.h"
 #include "scene/radiance_hdr.h"
 
@@ -21,7 +20,7 @@ struct Command {
     std::string name;     // empty: what the workbench does without a command
     std::string summary;  // for the help text
     std::vector<Option> options;
-    std::function<Outcome()> report;  // throws UsageError where options do not fit together
+    std::function<std::string()> report;  // throws UsageError where options do not fit together
 };
 
 // The command that runs an Experiment: a type with options(), which set its members, and report().
@@ -44,7 +43,6 @@ struct LightFile {
 std::vector<Command> commands() {
     return {command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
             command<Rule>("rule", "directions and weights of a rule"),
-            command<Judge>("judge", "is another program's output right?"),
             command<LightFile>("light", "the built-in light, > desert.hdr"),
             command<Tradeoff>("tradeoff", "what accuracy costs"),
             command<Models>("models", "covariances and noise compared"),
@@ -63,8 +61,6 @@ Command command_named(const std::string& name) {
 
 std::string usage(const Command& command) {
     std::string text = "./workbench " + command.name + (command.name.empty() ? "" : " ");
-    for (const Option& option : command.options)
-        if (option.name.empty()) text += option.argument + " ";
     text += command.options.empty() ? "" : "[options]";
     text.resize(std::max<std::size_t>(text.size() + 1, 35), ' ');
     return text + command.summary + '\n';
@@ -98,8 +94,7 @@ Request parse(int argc, char** argv) {
     try {
         const std::vector<std::string> rest = parse_options(argc - named, argv + named, options);
         if (!request.help && !rest.empty())
-            throw UsageError("unexpected argument '" + rest[0] +
-                             "'; a command comes first, then at most one file, and options begin with --");
+            throw UsageError("unexpected argument '" + rest[0] + "'; a command comes first, and options begin with --");
     } catch (const UsageError& error) {
         throw UsageError((named ? request.command.name + ": " : "") + error.what());
     }

@@ -61,19 +61,15 @@ T parse_whole(const std::string& text, T low, T high) {
 
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options) {
     std::vector<option> table;
-    std::vector<const Option*> named;
-    for (const Option& o : options) {
-        if (o.name.empty()) continue;
+    for (const Option& o : options)
         table.push_back({o.name.c_str(), o.argument.empty() ? no_argument : required_argument, nullptr,
                          first_option + static_cast<int>(table.size())});
-        named.push_back(&o);
-    }
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
     std::vector<const Option*> given;
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         if (found < first_option) throw not_found(found, argv);
-        const Option& chosen = *named[static_cast<std::size_t>(found - first_option)];
+        const Option& chosen = options[static_cast<std::size_t>(found - first_option)];
         given.push_back(&chosen);
         try {
             chosen.set(optarg ? optarg : "");
@@ -84,18 +80,14 @@ std::vector<std::string> parse_options(int argc, char** argv, const std::vector<
     for (const Option* o : given)
         if (const std::string reason = o->idle ? o->idle() : ""; !reason.empty())
             throw UsageError("--" + o->name + " would change nothing: " + reason + "; leave it out");
-    int next = std::min(optind, argc);  // a caller may give no words at all, not even a name
-    for (const Option& o : options)
-        if (o.name.empty() && next < argc) o.set(argv[next++]);
-    return {argv + next, argv + argc};
+    return {argv + std::min(optind, argc), argv + argc};  // a caller may give no words at all, not even a name
 }
 
 std::string describe(const std::vector<Option>& options) {
     constexpr std::size_t indent = 23, width = 80;
     std::string text;
     for (const Option& o : options) {
-        std::string line = o.name.empty() ? "  " : "  --" + o.name + (o.argument.empty() ? "" : " ");
-        line += o.argument;
+        std::string line = "  --" + o.name + (o.argument.empty() ? "" : " ") + o.argument;
         line.resize(std::max(line.size() + 1, indent - 1), ' ');
         std::istringstream words(o.description);
         for (std::string word; words >> word; line += ' ' + word)

@@ -17,7 +17,7 @@ struct UsageError : std::runtime_error {
 };
 
 struct Option {
-    std::string name;      // without the dashes; empty: it is what an argument without a name sets
+    std::string name;      // without the dashes
     std::string argument;  // what stands for its value in the help; empty: it takes none
     std::string description;
     std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed

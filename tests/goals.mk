@@ -1,5 +1,6 @@
 # Goals beside the programs; tests/README.md says which to make when.
 # make test         every unit test, and the programs' output against tests/output/references
+# make judge        build/judge, which tells whether the pictures of another program are right
 # make references   rewrites these: only when the output is meant to change
 # make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
@@ -12,8 +13,9 @@
 # make format-check whether clang-format would change a source
 # make PRECOMPILED=FILE GOAL   the programs, too, compile with the standard headers read once, into FILE
 
+JUDGE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/judge.cpp,$(wildcard tests/course/judge/*.cpp)))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
-.PHONY: doctest test references handout grade grade_programs mutations portability fuzz bench figures seconds format-check
+.PHONY: doctest test judge references handout grade grade_programs mutations portability fuzz bench figures seconds format-check
 
 # The standard headers, read once.
 HEADERS = $(or $(PRECOMPILED),$(BUILD)/standard.h)
@@ -28,11 +30,19 @@ $(TESTS): EXTRA += -O1
 doctest:
 	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
 
-$(BUILD)/unit_tests: $(TESTS) $(COMMON)
+$(BUILD)/unit_tests: $(TESTS) $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
+
+judge: $(BUILD)/judge
+$(BUILD)/judge: $(BUILD)/tests/course/judge/judge.o $(JUDGE) $(COMMON)
+	$(call as,LINK $@) $(LINK) -o $@
+
+# By name, so that what links it tells which objects it took.
+$(BUILD)/common.a: $(COMMON)
+	@rm -f $@ && ar rcsT $@ $^
 
 include tests/course/alone.mk
 test: all $(BUILD)/unit_tests $(BUILD)/compare $(ALONE)
@@ -63,7 +73,7 @@ fuzz:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
 	    BUILD=$(FUZZ) $(FUZZERS:%=$(FUZZ)/%)
 	FUZZ=$(FUZZ) FUZZ_SECONDS=$(FUZZ_SECONDS) tests/slow/fuzz
-$(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/slow/%.o $(COMMON)
+$(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/slow/%.o $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -fsanitize=fuzzer -o $@
 
 LAPACK = $(if $(wildcard /usr/lib/*/libopenblas.so),-lopenblas)
@@ -78,4 +88,4 @@ figures seconds: all
 
 format-check:
 	@tests/require_tool clang-format format-check
-	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*/*.cpp tests/*/*.h
+	clang-format --dry-run -Werror *.cpp common/*.cpp common/*.h common/*/*.cpp common/*/*.h tests/*/*.cpp tests/*/*.h tests/course/judge/*.cpp tests/course/judge/*.h

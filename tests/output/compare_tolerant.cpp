@@ -1,7 +1,7 @@
 // The tolerant half of compare: whether the output of another program agrees, and if not, what a person would see.
 #include "compare.h"
 
-#include "judge/likely_mistakes.h"
+#include "../course/judge/likely_mistakes.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 
@@ -101,7 +101,7 @@ std::vector<Table> parse_tables(const Lines& reference, const Lines& actual, dou
 
 // What makes results so many times as large, in brackets, if it is known.
 std::string reason(double ratio) {
-    const std::string name = factor_name(ratio, factors, 0.005);
+    const std::string name = factor_name(ratio, 0.005);
     return name.empty() ? "" : " (" + name + ")";
 }
 

@@ -7,7 +7,6 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
-#include "judge/judge.h"
 #include "scene/desert.h"
 #include "scene/pilot.h"
 #include "scene/radiance_hdr.h"

@@ -1,6 +1,6 @@
 // libFuzzer: any bytes are a picture or an error of one line, and rows of numbers or an error of one line.
+#include "../course/judge/picture_file.h"
 #include "experiments/rule.h"
-#include "judge/picture_file.h"
 
 #include <cstdint>
 #include <cstdlib>

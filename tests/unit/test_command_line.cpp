@@ -19,19 +19,6 @@ TEST_CASE("options take values in both spellings and leave the rest") {
     CHECK_THROWS_AS(parse({"-v"}, options), UsageError);
 }
 
-TEST_CASE("what has no name takes an argument without a name, wherever it stands") {
-    std::string file, value;
-    const std::vector<Option> options = {{"", "FILE", "what to read", [&](const std::string& text) { file = text; }},
-                                         {"value", "X", "", [&](const std::string& text) { value = text; }}};
-    CHECK(parse({"a", "--value", "3", "b"}, options) == std::vector<std::string>{"b"});
-    CHECK(file == "a");
-    CHECK(value == "3");
-    CHECK(parse({"--value=4", "c"}, options).empty());
-    CHECK(file == "c");
-    CHECK(parse({}, options).empty());
-    CHECK(describe(options).find("  FILE ") == 0);
-}
-
 TEST_CASE("an error names the option, the value and what is allowed") {
     const std::vector<Option> options = {
         {"samples", "N", "", [](const std::string& text) { parse_integer(text, 1, 4096); }}};

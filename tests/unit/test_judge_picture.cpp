@@ -1,4 +1,4 @@
-#include "judge/judge_picture.h"
+#include "../course/judge/judge_picture.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "judge/picture_file.h"
+#include "../course/judge/picture_file.h"
 
 #include <doctest/doctest.h>
 
@@ -50,11 +50,11 @@ TEST_CASE("what to_ppm and to_pfm write is read: codes exactly, floats exactly")
 }
 
 TEST_CASE("sRGB is decoded as it is encoded: every code comes back, for any largest code") {
-    for (const int maxval : {1, 15, 255, 1000, 65535}) {
+    for (const int maxval : {1, 15, 255}) {
         bool same = true;
         for (int code = 0; code <= maxval; ++code) {
             const double back = maxval * srgb_encoded(srgb_decoded(static_cast<double>(code) / maxval));
-            same = same && std::fabs(back - code) < 0.01;  // the two branches meet within 1e-7, 0.0066 of 65535 codes
+            same = same && std::fabs(back - code) < 1e-4;  // the two branches meet within 1e-7, 3e-5 of 255 codes
         }
         CHECK_MESSAGE(same, maxval);
     }
@@ -67,10 +67,6 @@ TEST_CASE("P6 and P3 may have comments, any largest code, and bytes after the en
     CHECK(six.image(0, 0).x == 1);
     CHECK(std::fabs(six.image(0, 0).y - srgb_decoded(128 / 255.0)) < 1e-7);
     CHECK(six.image(1, 0).x == 0);
-    const PictureFile wide = read(bytes("P6 1 1 1000\n\3\350\0\0\1\364"));
-    CHECK(wide.maxval == 1000);
-    CHECK(wide.image(0, 0).x == 1);
-    CHECK(std::fabs(wide.image(0, 0).z - srgb_decoded(0.5)) < 1e-7);
     const PictureFile words = read("P3\r\n1 2\r\n10\r\n10 5 0 # red\r\n0#\n10 5\r\ngarbage");
     CHECK(words.image(0, 0).x == 1);
     CHECK(std::fabs(words.image(0, 0).y - srgb_decoded(0.5)) < 1e-7);
@@ -86,36 +82,6 @@ TEST_CASE("a PFM of either byte order is read, its bottom row first") {
     CHECK(big.image(0, 0).x == 0.5);
 }
 
-TEST_CASE("a picture of 8 bits that was widened to 16 is one of 8 bits") {
-    const PictureFile wide = read("P3 1 1 65535\n0 25700 65535"), narrow = read("P3 1 1 255\n0 100 255");
-    CHECK(wide.maxval == 255);
-    CHECK(equal(wide.image, narrow.image));
-    CHECK(read("P3 1 1 65535\n0 25700 65534").maxval == 65535);
-    CHECK(read("P3 1 1 514\n0 257 514").maxval == 514);
-    for (const int maxval : {1000, 1023, 65280, 65535}) {
-        CAPTURE(maxval);
-        std::string rounded = "P3 85 1 " + std::to_string(maxval) + '\n', down = rounded;
-        for (int code = 1; code <= 255; ++code) {
-            rounded += std::to_string((2 * code * maxval + 255) / 510) + ' ';
-            down += std::to_string(code * maxval / 255) + ' ';
-        }
-        for (const std::string& text : {rounded, down}) {
-            const PictureFile picture = read(text);
-            CHECK(picture.maxval == 255);
-            bool same = true;
-            for (int i = 0; i < 85; ++i)
-                same = same && picture.image(i, 0).z == static_cast<float>(srgb_decoded((3 * i + 3) / 255.0));
-            CHECK(same);
-        }
-    }
-}
-
-TEST_CASE("a picture of 8 bits that was shifted to 16 is one of 8 bits") {
-    const PictureFile picture = read("P3 1 1 65535\n0 25600 65280");
-    CHECK(picture.maxval == 255);
-    CHECK(equal(picture.image, read("P3 1 1 255\n0 100 255").image));
-}
-
 TEST_CASE("what made a picture unreadable is named: converted line ends, a PNG") {
     CHECK(reading_error("P6\r\n1 1\r\n255\r\nabc") ==
           "CR and LF end the header: were its line ends converted? write the file in binary mode");
@@ -126,14 +92,13 @@ TEST_CASE("what made a picture unreadable is named: converted line ends, a PNG")
 TEST_CASE("what is no picture is refused in one line that says what is wrong") {
     for (const std::string text : {"", "P", "P5 1 1 255\n1", "Pf\n1 1\n1\n1234", "#?RADIANCE\n"}) {
         CAPTURE(text);
-        CHECK(reading_error(text) ==
-              "it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour); for a table give --integrand NAME");
+        CHECK(reading_error(text) == "it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour)");
     }
     CHECK(reading_error("P6") == "the file ends where the width should be");
     CHECK(reading_error("P6 5 0 255\n") == "the height '0' is not a whole number from 1 to 8192");
     CHECK(reading_error("P6 8193 1 255\n") == "the width '8193' is not a whole number from 1 to 8192");
     CHECK(reading_error("P6 -1 1 255\n") == "the width '-1' is not a whole number from 1 to 8192");
-    CHECK(reading_error("P6 1 1 65536\n") == "the largest code '65536' is not a whole number from 1 to 65535");
+    CHECK(reading_error("P6 1 1 256\n") == "the largest code '256' is not a whole number from 1 to 255");
     CHECK(reading_error("P6 1\x1b[2J 1 255\n") == "the width is not a number: '1...'");
     CHECK(reading_error("P6 99999999999999999999999 1 255\n") ==
           "the width is not a number: '99999999999999999999...'");

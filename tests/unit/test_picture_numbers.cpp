@@ -1,4 +1,4 @@
-#include "judge/picture_numbers.h"
+#include "../course/judge/picture_numbers.h"
 
 #include <doctest/doctest.h>
 

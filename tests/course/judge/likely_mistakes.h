@@ -24,16 +24,11 @@ constexpr Factor factors[] = {{"1 / pi is missing, or pi too often", portable::p
                               {"2 pi is missing", 1 / (2 * portable::pi)},
                               {"weights pi / N in place of 2 pi / N", 0.5},
                               {"weights 4 pi / N in place of 2 pi / N, or added twice", 2}};
-constexpr Factor factors_of_means[] = {
-    {"a sum of 10 in place of the mean", 10},
-    {"a sum of 100 in place of the mean", 100},
-    {"root mean squares in place of means of absolute errors", 1.2533}};  // sqrt(pi / 2)
 
 // Which of the known factors, nearest and within a relative tolerance, it is; or an empty text.
-template <std::size_t count>
-std::string factor_name(double factor, const Factor (&known)[count], double tolerance) {
+inline std::string factor_name(double factor, double tolerance) {
     std::string name;
-    for (const Factor& each : known) {
+    for (const Factor& each : factors) {
         const double off = std::fabs(factor / each.factor - 1);
         if (off > tolerance) continue;
         name = each.name;

@@ -1,4 +1,4 @@
-#include "judge/picture_file.h"
+#include "picture_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,24 +27,23 @@ public:
         for (int i = 0; i < 2 && bytes_.sgetc() != end_of_file; ++i) magic += static_cast<char>(bytes_.sbumpc());
         if (magic == "\x89P") fail("a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
         if (magic != "P3" && magic != "P6" && magic != "PF")
-            fail(
-                "it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour); for a table give --integrand NAME");
+            fail("it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour)");
         is_text_ = magic == "P3";
         is_ppm_ = magic != "PF";
         const int width = whole_number("width", max_side);
         height_ = whole_number("height", max_side);
-        const int maxval = is_ppm_ ? whole_number("largest code", 65535) : 0;
+        const int maxval = is_ppm_ ? whole_number("largest code", 255) : 0;
         // Of the scale, in units that nobody agreed on, only the sign counts.
         if (!is_ppm_) little_endian_ = word("scale")[0] == '-';
         if (!is_text_) require_one_space();
+        const std::vector<float> linear_values = decoded_codes(std::max(maxval, 1));
         for (rows_ = 0; rows_ < height_; ++rows_)
-            for (int i = 0; i < 3 * width; ++i) values_.push_back(is_ppm_ ? code(maxval) : real());
-        const int largest = is_ppm_ ? decode(maxval) : 0;
+            for (int i = 0; i < 3 * width; ++i) values_.push_back(is_ppm_ ? linear_values[code(maxval)] : real());
         const auto pixel = [&](int x, int y) {
             const float* rgb = &values_[static_cast<std::size_t>(3 * (from_top(y) * width + x))];
             return Color{rgb[0], rgb[1], rgb[2]};
         };
-        return {image_of(width, height_, pixel), largest};
+        return {image_of(width, height_, pixel), maxval};
     }
 
 private:
@@ -97,12 +96,12 @@ private:
         return static_cast<unsigned>(c);
     }
 
-    float code(int maxval) {
-        if (is_text_) return static_cast<float>(whole_number("code", maxval, 0));
-        const unsigned high = maxval > 255 ? 256 * byte() : 0, code = high + byte();
+    std::size_t code(int maxval) {
+        if (is_text_) return static_cast<std::size_t>(whole_number("code", maxval, 0));
+        const unsigned code = byte();
         if (code > static_cast<unsigned>(maxval))
             fail("code " + std::to_string(code) + " exceeds the largest, " + std::to_string(maxval));
-        return static_cast<float>(code);
+        return code;
     }
 
     float real() {
@@ -113,33 +112,11 @@ private:
         return value;
     }
 
-    // Codes become linear values. Returns the largest code.
-    int decode(int maxval) {
-        maxval = narrow_to_bytes(maxval);
-        const std::vector<float> decoded = decoded_codes(maxval);
-        for (float& value : values_) value = decoded[static_cast<std::size_t>(value)];
-        return maxval;
-    }
-
-    // Codes to 255 that were widened, by a factor and rounded in whatever way or by a shift of 8 bits, which leaves 255
-    // at 65280, become codes to 255 again. Returns the largest code.
-    int narrow_to_bytes(int maxval) {
-        if (maxval <= 255) return maxval;
-        for (const int white : {maxval, maxval == 65535 ? 65280 : maxval}) {
-            const auto byte_of = [&](float code) { return (255 * static_cast<int>(code) + white / 2) / white; };
-            const auto is_scaled = [&](float code) { return std::fabs(code - byte_of(code) * white / 255.0) < 1; };
-            if (!std::all_of(values_.begin(), values_.end(), is_scaled)) continue;
-            for (float& code : values_) code = static_cast<float>(byte_of(code));
-            return 255;
-        }
-        return maxval;
-    }
-
     std::streambuf& bytes_;
     bool is_text_ = false, is_ppm_ = true, little_endian_ = false;
     int height_ = 0;
     int rows_ = -1;              // that are read; -1: the header is
-    std::vector<float> values_;  // of all channels, codes of a PPM
+    std::vector<float> values_;  // of all channels, linear
 };
 
 }  // namespace

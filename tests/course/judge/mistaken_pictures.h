@@ -2,7 +2,7 @@
 #pragma once
 
 #include "experiments/picture_error.h"
-#include "judge/picture_file.h"
+#include "picture_file.h"
 
 #include <string>
 

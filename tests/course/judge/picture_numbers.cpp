@@ -1,4 +1,4 @@
-#include "judge/picture_numbers.h"
+#include "picture_numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@ struct PictureFile {
     int maxval;   // the largest code of a channel, which stands for 1; 0: the file held linear floats
 };
 
-// Reads a picture from a binary stream: PPM, binary (P6) or in words (P3), sRGB with any largest code from 1 to 65535;
-// or PFM in colour (PF), linear floats of either byte order. Codes to 255 that were widened are read as codes to 255.
+// Reads a picture from a binary stream: PPM, binary (P6) or in words (P3), sRGB with any largest code from 1 to 255; or
+// PFM in colour (PF), linear floats of either byte order.
 // Memory follows what the file holds, not what its header claims. Throws std::runtime_error, one line: what is wrong
 // and, within the picture, in which row (0 at the top).
 PictureFile read_picture(std::istream& in);

@@ -1,4 +1,4 @@
-#include "judge/judge_picture.h"
+#include "judge_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "command_line.h"
-#include "judge/likely_mistakes.h"
-#include "judge/mistaken_pictures.h"
+#include "likely_mistakes.h"
+#include "mistaken_pictures.h"
 
 namespace {
 
@@ -140,7 +140,7 @@ std::string resembled(const Image& picture, const Truth& truth, const RenderSett
         name = text;
     };
     const double factor = 1 + here[1];
-    const std::string reason = factor_name(factor, factors, 0.02);
+    const std::string reason = factor_name(factor, 0.02);
     const Image as_bright = image_of(settings.width, settings.height, [&](int x, int y) {
         return (truth.shows_object(x, y) ? 1 / factor : 1) * picture(x, y);
     });

@@ -1,10 +1,10 @@
-#include "judge/mistaken_pictures.h"
+#include "mistaken_pictures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "judge/likely_mistakes.h"
+#include "likely_mistakes.h"
 #include "quadrature/hemisphere.h"
 #include "scene/scene.h"
 

@@ -2,8 +2,8 @@
 // makes: its numbers beside those of correct pictures with other seeds.
 #pragma once
 
-#include "judge/picture_file.h"
-#include "judge/picture_numbers.h"
+#include "picture_file.h"
+#include "picture_numbers.h"
 
 #include <string>
 
