@@ -2,11 +2,9 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
-#include "numerics/cholesky.h"
+#include "numerics/plain_loops.h"
 #include "options.h"
 #include "scene/desert.h"
-#include "scene/pilot.h"
-#include "scene/render.h"
 
 #include <algorithm>
 #include <thread>
@@ -14,17 +12,17 @@
 namespace {
 
 struct Request {
-    RenderSettings settings;
-    double rmse = 0;          // that is asked for; 0: the number of samples is given
-    std::string environment;  // empty: the built-in one
-    bool linear = false;      // PFM instead of PPM
+    PictureSettings settings;
+    double rmse = 0;  // that is asked for; 0: the number of samples is given
+    std::string environment = built_in_lights[0];
+    bool linear = false;  // PFM instead of PPM
     bool help = false;
 };
 
 constexpr std::pair<const char*, bool> format_names[] = {{"ppm", false}, {"pfm", true}};
 constexpr long max_side = 8192;
 
-void set_size(RenderSettings& settings, const std::string& text) {
+void set_size(PictureSettings& settings, const std::string& text) {
     const std::size_t cross = text.find('x');
     try {
         settings.width = static_cast<int>(parse_integer(text.substr(0, cross), 1, max_side));
@@ -46,23 +44,20 @@ std::vector<Option> method_options(Request& request) {
 }
 
 std::vector<Option> picture_options(Request& request) {
-    RenderSettings& settings = request.settings;
-    return {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
-             [&](const std::string& text) { set_size(settings, text); }},
-            name_option("environment", "FILE", environment_help, request.environment),
-            choice_option("show", "", show_names, settings.show,
-                          ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
-                          "picture's RMSE"),
-            {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
-             [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
-            count_option("threads", "T", "changes the time only, not the picture (default: all cores)",
-                         settings.threads, 256),
-            {"plain", "", "the textbook's loops: slower, the same bytes",
-             [&](const std::string&) {
-                 settings.plain = true;
-                 cholesky_fast_from = max_process_samples + 1;
-             }},
-            {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
+    PictureSettings& settings = request.settings;
+    return {
+        {"size", "WxH", "in pixels, or W for a square (default 500x500)",
+         [&](const std::string& text) { set_size(settings, text); }},
+        name_option("environment", "FILE", environment_help, request.environment),
+        choice_option("show", "", show_names, settings.show,
+                      ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
+                      "picture's RMSE"),
+        {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
+         [&](const std::string& text) { request.linear = parse_choice(text, format_names); }},
+        count_option("threads", "T", "changes the time only, not the picture (default: all cores)", settings.threads,
+                     256),
+        {"plain", "", "the textbook's loops: slower, the same bytes", [](const std::string&) { plain_loops = true; }},
+        {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
 }
 
 std::vector<Option> process_options(Request& request) {
@@ -93,26 +88,29 @@ Request parse(int argc, char** argv) {
     return request;
 }
 
-void tell_prediction(const RenderSettings& settings, double rmse) {
-    std::fprintf(stderr, "renderer: %zu samples for a predicted RMSE of %.2g%s\n", settings.samples, rmse,
+void tell_prediction(const PictureSettings& settings, double rmse) {
+    std::fprintf(stderr, "renderer: %zu sample%s for a predicted RMSE of %.2g%s\n", settings.samples,
+                 settings.samples == 1 ? "" : "s", rmse,
                  settings.method == Method::single ? "; all pixels share one rule, and this seed may be far off" : "");
 }
 
 std::string run(Request request) {
     if (request.help) return help_text();
     require_file_output("./renderer > out.ppm");
-    const EnvironmentMap environment = load_environment(request.environment);
-    const Light light(environment);
+    PictureSettings& settings = request.settings;
+    const EnvironmentMap environment = load_environment(request.environment, settings.threads);
+    std::optional<PrefilteredEnvironment> prefiltered;
+    if (settings.light_known) prefiltered.emplace(environment, settings.threads);
+    const EnvironmentLight light{environment, prefiltered ? &*prefiltered : nullptr};
     const Scene scene = sphere_scene();
-    RenderSettings& settings = request.settings;
     if (request.rmse > 0) {
         const ChosenSamples chosen = samples_for(request.rmse, max_process_samples, scene, light, settings);
         settings.samples = chosen.samples;
         tell_prediction(settings, chosen.rmse);
     }
-    Image image = render(scene, light, settings, terminal_progress("renderer"));
+    Image image = picture(scene, light, settings, terminal_progress("renderer"));
     if (settings.show == Show::error) {
-        const double rmse = root_mean_square(image, object_pixels(scene, settings.width, settings.height));
+        const double rmse = root_mean_square(image, object_pixels(scene, {settings.width, settings.height}));
         if (request.rmse == 0) tell_prediction(settings, rmse);
         if (!request.linear) image = grey_scale(image, 2 * rmse);
     }

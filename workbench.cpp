@@ -35,7 +35,7 @@ struct LightFile {
     std::vector<Option> options() { return {}; }
     std::string report() const {
         require_file_output("./workbench light > desert.hdr");
-        return to_radiance_hdr(built_in_environment());
+        return to_radiance_hdr(load_environment());
     }
 };
 

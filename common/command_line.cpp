@@ -106,7 +106,7 @@ double parse_real(const std::string& text, double low, double high) {
     const bool whole =
         !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == text.c_str() + text.size();
     if (whole && value >= low && value <= high) return value;
-    throw UsageError("'" + text + line("' is not a number from %g to %g", low, high));
+    throw UsageError("'" + text + formatted("' is not a number from %g to %g", low, high));
 }
 
 long parse_integer(const std::string& text, long low, long high) { return parse_whole(text, low, high); }

@@ -1,6 +1,7 @@
 // What the two programs share at their edge: options on getopt_long, errors, exit statuses and standard output.
 #pragma once
 
+#include "numerics/formatted.h"
 #include "numerics/portable_math.h"
 
 #include <cstdint>
@@ -92,14 +93,6 @@ std::vector<Option> joined(const std::vector<std::vector<Option>>& groups);
 
 // The option, which changes nothing where there is a reason.
 Option idle_while(const std::function<std::string()>& reason, Option option);
-
-// What printf would print; at most 319 characters.
-template <class... Arguments>
-std::string line(const char* format, Arguments... arguments) {
-    char text[320];
-    std::snprintf(text, sizeof text, format, arguments...);
-    return text;
-}
 
 // What a program prints to stdout, and its exit status: 1 tells a script that something was found wrong.
 struct Outcome {

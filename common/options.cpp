@@ -6,9 +6,6 @@ namespace {
 
 constexpr long max_lattice_samples = 1000000;
 
-// Where there is no light that could be known.
-constexpr std::pair<const char*, KnownPart> known_without_light[] = {known_part_names[0], known_part_names[1]};
-
 std::function<std::string()> unless_family(const ModelSettings& settings, CovarianceFamily family) {
     return [&settings, family] {
         if (settings.covariance == family) return std::string();
@@ -29,7 +26,7 @@ ModelOptions::ModelOptions(ModelSettings& s)
                               s.length_scale, {0.05, 1e6})),
               real_option("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
                           s.noise, {0, 1000}),
-              choice_option("known", "part of the integrand: ", known_without_light, s.known,
+              choice_option("known", "part of the integrand: ", known_part_names, s.known,
                             ", for sobolev with smoothness 1.5")},
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
       seed(seed_option("of the random numbers (default 1)", s.seed)) {}
@@ -39,13 +36,14 @@ Option& ModelOptions::of_process(const std::string& name) {
 }
 
 void require_closed_form(const ModelSettings& settings) {
-    const bool closed = settings.covariance == CovarianceFamily::sobolev && settings.smoothness == 1.5;
-    if (knows_cosine(settings.known) && !closed)
-        throw UsageError(
-            "a known part goes with --covariance sobolev --smoothness 1.5 only: no other has a closed form for it");
+    try {
+        settings.make_covariance()->double_integral(settings.known);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
 }
 
-RenderOptions::RenderOptions(RenderSettings& s)
+RenderOptions::RenderOptions(PictureSettings& s)
     : ModelOptions(s),
       method(choice_option("method", "", method_names, s.method)),
       samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_lattice_samples)),
@@ -53,13 +51,14 @@ RenderOptions::RenderOptions(RenderSettings& s)
                       count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
     for (Option& option : process) option = idle_while(no_process, option);
-    Option& known = of_process("known");
-    known = choice_option("known", "part of the integrand: ", known_part_names, s.known,
-                          "; the last two for sobolev with smoothness 1.5");
-    known.idle = [&s, no_process] { return s.known == KnownPart::light ? "" : no_process(); };
+    of_process("known") = {"known", "NAME",
+                           "part of the integrand: " + choices(known_names, s.known_part()) +
+                               "; the last two for sobolev with smoothness 1.5",
+                           [&s](const std::string& text) { s.set_known(parse_choice(text, known_names)); },
+                           [&s, no_process] { return s.light_known ? "" : no_process(); }};
 }
 
-void require_possible(const RenderSettings& settings) {
+void require_possible(const PictureSettings& settings) {
     const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
     if (!one_lattice && settings.samples > max_process_samples)
         throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
@@ -67,9 +66,12 @@ void require_possible(const RenderSettings& settings) {
     require_closed_form(settings);
 }
 
-void require_predictable(const RenderSettings& settings) {
-    if (!predicts_error(settings))
+void require_predictable(const PictureSettings& settings) {
+    const bool mc = settings.method == Method::mc;
+    if (mc && is_lattice(settings.placement))
         throw UsageError(
             "--method mc predicts no error on a lattice, whose samples do not differ as independent ones do; take "
             "--placement uniform or cosine, or another method");
+    if (settings.samples == 1 && (mc || settings.light_known))
+        throw UsageError("--samples: 1 says nothing of the error of its mean; take 2 or more");
 }

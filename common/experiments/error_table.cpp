@@ -65,11 +65,11 @@ std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSetting
 }
 
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows) {
-    std::string text = "# integral of " + integrand.formula + line(" = %.10f\n", integrand.truth) +
+    std::string text = "# integral of " + integrand.formula + formatted(" = %.10f\n", integrand.truth) +
                        "# samples     mc_error    bmc_error bmc_predicted        mc/bmc   mc_samples\n";
     for (const ErrorRow& row : rows)
-        text += line("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
-                     row.bmc_predicted, row.gain(), row.equivalent_mc_samples());
+        text += formatted("%9zu %12.5g %12.5g %13.5g %13.5g %12.5g\n", row.samples, row.mc_error, row.bmc_error,
+                          row.bmc_predicted, row.gain(), row.equivalent_mc_samples());
     return text;
 }
 

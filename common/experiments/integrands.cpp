@@ -23,7 +23,7 @@ std::vector<Integrand> practice_integrands() {
     return {{"constant", "1", [](Vec3) { return 1.0; }, 2 * pi},
             {"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi},
             {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, pi / 2},
-            environment_integrand(std::make_shared<const EnvironmentMap>(built_in_environment()))};
+            environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()))};
 }
 
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, KnownPart known) {

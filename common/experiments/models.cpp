@@ -33,7 +33,7 @@ struct Column {
 
 std::vector<Column> all_columns() {
     std::vector<Column> columns{{"cosine", {practice_integrands()[1]}, 1000, {}}};
-    for (const std::string& name : built_in_lights()) {
+    for (const char* name : built_in_lights) {
         const auto light = std::make_shared<const EnvironmentMap>(load_environment(name));
         columns.push_back({name, scene_integrands(light, 100), 10, {}});
     }
@@ -48,16 +48,17 @@ std::string model_table(const std::vector<Column>& columns) {
         "# Which model? Root mean square errors with 40 samples: of cos(theta), and of incident radiance "
         "times cos(theta)\n# at 100 points of the scene, drawn at random, under each light.\n"
         "# covariance        parameter  noise";
-    for (const Column& column : columns) text += line(" %15s", column.name.c_str());
+    for (const Column& column : columns) text += formatted(" %15s", column.name.c_str());
     text += '\n';
     for (std::size_t i = 0; i < columns[0].examined.size(); ++i) {
         const auto& [model, noise, verdicts] = columns[0].examined[i];
-        text += line("%-20s %8g %6g", name_of(model.family, covariance_names), model.parameter, noise);
-        for (const Column& column : columns) text += line(" %15.4g", column.examined[i].rmse());
+        text += formatted("%-20s %8g %6g", name_of(model.family, covariance_names), model.parameter, noise);
+        for (const Column& column : columns) text += formatted(" %15.4g", column.examined[i].rmse());
         text += '\n';
     }
     text += "monte-carlo                 -      -";
-    for (const Column& column : columns) text += line(" %15.4g", monte_carlo_rmse(column.integrands, n, column.sets));
+    for (const Column& column : columns)
+        text += formatted(" %15.4g", monte_carlo_rmse(column.integrands, n, column.sets));
     return text + '\n';
 }
 
@@ -71,8 +72,8 @@ std::string choice_table(const std::vector<Column>& columns) {
         "# integrand       sobolev_3/2     chosen  smooth  pooled\n";
     for (const Column& column : columns) {
         const Choice choice = choice_by_evidence(column.examined);
-        text += line("%-16s %12.4g %10.4g %7.2f %7.4g\n", column.name.c_str(), column.examined[standard_model].rmse(),
-                     choice.rmse, choice.smooth, choice.pooled_rmse);
+        text += formatted("%-16s %12.4g %10.4g %7.2f %7.4g\n", column.name.c_str(),
+                          column.examined[standard_model].rmse(), choice.rmse, choice.smooth, choice.pooled_rmse);
     }
     return text;
 }
@@ -81,14 +82,14 @@ std::string coverage_table(const std::vector<Column>& columns) {
     std::string text =
         "\n\n# Is the error bar honest? Fraction of errors within two predicted standard errors, and "
         "predicted over actual RMSE.\n# samples";
-    for (const Column& column : columns) text += line(" %15s %6s", column.name.c_str(), "ratio");
+    for (const Column& column : columns) text += formatted(" %15s %6s", column.name.c_str(), "ratio");
     text += '\n';
     for (const std::size_t count : {2u, 5u, 10u, 20u, 40u, 80u, 160u}) {
-        text += line("%9zu", count);
+        text += formatted("%9zu", count);
         for (const Column& column : columns) {
             const Examined model =
                 examine({CovarianceFamily::sobolev, 1.5}, 1e-2, column.integrands, count, column.sets);
-            text += line(" %15.3f %6.2f", model.coverage(), model.predicted() / model.rmse());
+            text += formatted(" %15.3f %6.2f", model.coverage(), model.predicted() / model.rmse());
         }
         text += '\n';
     }

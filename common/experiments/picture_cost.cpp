@@ -2,7 +2,6 @@
 
 #include "experiments/picture_error.h"
 #include "experiments/statistics.h"
-#include "scene/predicted_error.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,19 +13,18 @@ namespace {
 
 constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, cosine = Placement::cosine,
                cosine_fibonacci = Placement::cosine_fibonacci;
-constexpr auto cosine_known = KnownPart::cosine, light_known = KnownPart::light;
 
-RenderSettings settings_of(Method method, std::size_t pool, Placement placement, KnownPart known = KnownPart::nothing) {
-    RenderSettings settings;
+PictureSettings settings_of(Method method, std::size_t pool, Placement placement, Known known = Known::nothing) {
+    PictureSettings settings;
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    settings.known = known;
+    settings.set_known(known);
     return settings;
 }
 
 // The settings with these samples, the size and the seed.
-RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std::size_t samples) {
+PictureSettings with_size(const CostSettings& costs, PictureSettings settings, std::size_t samples) {
     settings.samples = samples;
     settings.seed = 1000 * (costs.seed - 1) + 1;
     settings.width = settings.height = costs.size;
@@ -35,60 +33,60 @@ RenderSettings sized_as(const CostSettings& costs, RenderSettings settings, std:
 }
 
 // What pictures are compared with.
-Truth truth_for(const Light& light, const CostSettings& costs) {
-    return dense_truth(light, sized_as(costs, {}, 0), 10000);
+Truth truth_for(const EnvironmentLight& light, const CostSettings& costs) {
+    return dense_truth(light, with_size(costs, {}, 0), 10000);
 }
 
 // The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time.
-double seconds_per_megapixel(const Light& light, RenderSettings settings) {
+double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings settings) {
     constexpr int size = 64;
     const auto seconds_at = [&](int side) {
         settings.width = settings.height = side;
-        return seconds_of([&] { render(sphere_scene(), light, settings); });
+        return seconds_of([&] { picture(sphere_scene(), light, settings); });
     };
     settings.threads = 1;
     const double whole = seconds_at(size), rules = seconds_at(1);
-    return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(sphere_scene(), size, size);
+    return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(sphere_scene(), {size, size});
 }
 
 // Where pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it; elsewhere every pixel is
 // a sample, and the seeds are for the brightness. Fewer where it would take long.
-std::uint64_t seeds_of(const RenderSettings& settings) {
+std::uint64_t seeds_of(const PictureSettings& settings) {
     if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
     const bool fresh =
         settings.method == Method::mc ? !is_lattice(settings.placement) : settings.method == Method::direct;
     return fresh ? 16 : std::max<std::uint64_t>(16, 64 / settings.pool);
 }
 
-PictureCost picture_cost(const Light& light, RenderSettings settings, const Truth& truth) {
+PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings, const Truth& truth) {
     RootMeanSquare rmse, brightness, predicted;
     double correlation = 0, within = 0;
     const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
     const std::uint64_t predictions = predicts_error(settings) ? 4 : 0;
     for (; settings.seed != first + seeds; ++settings.seed) {
-        const Image image = render(sphere_scene(), light, settings);
+        const Image image = picture(sphere_scene(), light, settings);
         const ImageError error = image_error(image, truth);
         rmse.add(error.rmse);
         brightness.add(error.brightness);
         correlation += error.correlation / static_cast<double>(seeds);
         if (settings.seed - first >= predictions) continue;
         settings.show = Show::error;
-        const Image errors = render(sphere_scene(), light, settings);
+        const Image errors = picture(sphere_scene(), light, settings);
         settings.show = Show::picture;
-        predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), settings.width, settings.height)));
-        within += share_within_two(image, truth, errors) / static_cast<double>(predictions);
+        predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), {settings.width, settings.height})));
+        within += coverage(image, truth, errors) / static_cast<double>(predictions);
     }
     return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
             within,   correlation,  brightness.value(),    0};
 }
 
-std::string name_columns(const RenderSettings& s) {
-    return line("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names),
-                name_of(s.known, known_part_names));
+std::string name_columns(const PictureSettings& s) {
+    return formatted("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool,
+                     name_of(s.placement, placement_names), name_of(s.known_part(), known_names));
 }
 
 std::string prediction_columns(const PictureCost& row) {
-    return row.predicted > 0 ? line(" %10.5f %6.3f", row.predicted, row.within) : "          -      -";
+    return row.predicted > 0 ? formatted(" %10.5f %6.3f", row.predicted, row.within) : "          -      -";
 }
 
 }  // namespace
@@ -109,7 +107,7 @@ double seconds_of(const std::function<void()>& action) {
     return fewest;
 }
 
-std::vector<RenderSettings> main_settings() {
+std::vector<PictureSettings> main_settings() {
     return {settings_of(Method::mc, 1, uniform),
             settings_of(Method::direct, 1, uniform),
             settings_of(Method::single, 1, uniform),
@@ -118,32 +116,33 @@ std::vector<RenderSettings> main_settings() {
             settings_of(Method::pool, 20, uniform),
             settings_of(Method::mc, 1, fibonacci),
             settings_of(Method::pool, 20, fibonacci),
-            settings_of(Method::pool, 20, cosine_fibonacci, cosine_known),
-            settings_of(Method::mc, 1, uniform, light_known),
-            settings_of(Method::pool, 20, uniform, light_known),
-            settings_of(Method::mc, 1, cosine_fibonacci, light_known),
-            settings_of(Method::pool, 20, cosine_fibonacci, light_known)};
+            settings_of(Method::pool, 20, cosine_fibonacci, Known::cosine),
+            settings_of(Method::mc, 1, uniform, Known::light),
+            settings_of(Method::pool, 20, uniform, Known::light),
+            settings_of(Method::mc, 1, cosine_fibonacci, Known::light),
+            settings_of(Method::pool, 20, cosine_fibonacci, Known::light)};
 }
 
-std::vector<RenderSettings> all_settings() {
-    std::vector<RenderSettings> list = main_settings();
+std::vector<PictureSettings> all_settings() {
+    std::vector<PictureSettings> list = main_settings();
     list.push_back(settings_of(Method::mc, 1, cosine));
-    list.push_back(settings_of(Method::pool, 20, cosine, cosine_known));
+    list.push_back(settings_of(Method::pool, 20, cosine, Known::cosine));
     list.push_back(settings_of(Method::mc, 1, cosine_fibonacci));
     return list;
 }
 
-std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<RenderSettings>& compared,
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<PictureSettings>& compared,
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
-    const Light light(environment);
+    const PrefilteredEnvironment prefiltered(environment, std::max(1u, std::thread::hardware_concurrency()));
+    const EnvironmentLight light{environment, &prefiltered};
     const Truth truth = truth_for(light, costs);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
-    for (const RenderSettings& each : compared)
+    for (const PictureSettings& each : compared)
         for (const std::size_t n : samples) {
-            const RenderSettings settings = sized_as(costs, each, n);
+            const PictureSettings settings = with_size(costs, each, n);
             rows.push_back(picture_cost(light, settings, truth));
             if (costs.timed) rows.back().seconds_per_megapixel = seconds_per_megapixel(light, settings);
             const auto all = static_cast<double>(compared.size() * samples.size());
@@ -153,7 +152,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
 }
 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
-    std::string text = line(
+    std::string text = formatted(
         "# method  pool placement        known   samples       rmse     +-rmse correlation brightness "
         "mc_samples  predicted within%s\n",
         timed ? "  s/megapixel efficiency" : "");
@@ -162,13 +161,13 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         const PictureCost& mc = *std::find_if(rows.begin(), rows.end(),
                                               [&](const PictureCost& first) { return first.settings.samples == n; });
         const double gain = mc.rmse * mc.rmse / (row.rmse * row.rmse);
-        text +=
-            name_columns(row.settings) + line(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", n, row.rmse, row.rmse_error,
-                                              row.correlation, row.brightness, static_cast<double>(n) * gain);
+        text += name_columns(row.settings) + formatted(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", n, row.rmse,
+                                                       row.rmse_error, row.correlation, row.brightness,
+                                                       static_cast<double>(n) * gain);
         text += prediction_columns(row);
         if (timed)
-            text += line(" %12.3g %10.3g", row.seconds_per_megapixel,
-                         gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
+            text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
+                              gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
         text += '\n';
     }
     return text;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command_line.h"
-#include "scene/render.h"
+#include "known_light/picture.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ struct CostSettings {
 
 // Errors over several seeds: a method that shares rules between pixels has as many rules as seeds, not as pixels.
 struct PictureCost {
-    RenderSettings settings;
+    PictureSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
     double rmse_error;             // standard error of rmse
     double predicted, within;      // RMSE that pictures predict, share of errors within two predicted ones; 0 if none
@@ -26,15 +26,15 @@ struct PictureCost {
 
 // The settings that are compared, numbers of samples apart: those that README's tables tell of, classic Monte Carlo
 // first; and with those that its figure shows besides.
-std::vector<RenderSettings> main_settings();
-std::vector<RenderSettings> all_settings();
+std::vector<PictureSettings> main_settings();
+std::vector<PictureSettings> all_settings();
 
 // Fewest seconds of one call, of four measurements that take at least 2 ms each.
 double seconds_of(const std::function<void()>& action);
 
 // Each of the settings with each of the numbers of samples. Throws std::invalid_argument if the environment lights no
 // object: there is nothing to compare. progress is told the fraction that is done.
-std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<RenderSettings>& compared,
+std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<PictureSettings>& compared,
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress = nullptr);
 

@@ -3,19 +3,18 @@
 #include <cmath>
 
 Truth truth_of(Image image) {
-    const Camera camera{image.width(), image.height()};
-    std::vector<bool> mask;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x) mask.push_back(intersect(sphere_scene(), camera.ray(x, y)).has_value());
+    std::vector<bool> mask(image.size());
+    for_each_hit(sphere_scene(), {image.width(), image.height()},
+                 [&](int x, int y, const Hit&) { mask[static_cast<std::size_t>(y * image.width() + x)] = true; });
     return {std::move(image), std::move(mask)};
 }
 
-Truth dense_truth(const Light& light, RenderSettings settings, std::size_t samples) {
+Truth dense_truth(const EnvironmentLight& light, PictureSettings settings, std::size_t samples) {
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = samples;
-    settings.known = KnownPart::light;
-    return truth_of(render(sphere_scene(), light, settings));
+    settings.set_known(Known::light);
+    return truth_of(picture(sphere_scene(), light, settings));
 }
 
 ImageError image_error(const Image& image, const Truth& truth) {
@@ -42,7 +41,7 @@ ImageError image_error(const Image& image, const Truth& truth) {
             (sum.x + sum.y + sum.z) / true_sum};
 }
 
-double share_within_two(const Image& image, const Truth& truth, const Image& predicted) {
+double coverage(const Image& image, const Truth& truth, const Image& predicted) {
     double within = 0, all = 0;
     for (std::size_t i = 0; i < image.size(); ++i) {
         if (!truth.mask[i]) continue;

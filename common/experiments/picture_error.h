@@ -1,7 +1,7 @@
 // What pictures of the sphere scene differ from the truth by.
 #pragma once
 
-#include "scene/render.h"
+#include "known_light/picture.h"
 
 #include <vector>
 
@@ -17,7 +17,7 @@ Truth truth_of(Image image);
 
 // The picture by Monte Carlo that knows the light, so that a sun does not spoil it, with so many samples; size, seed
 // and threads are those of the settings.
-Truth dense_truth(const Light& light, RenderSettings settings, std::size_t samples);
+Truth dense_truth(const EnvironmentLight& light, PictureSettings settings, std::size_t samples);
 
 // What an image differs from the truth by, over the pixels that show an object.
 struct ImageError {
@@ -28,4 +28,4 @@ struct ImageError {
 ImageError image_error(const Image& image, const Truth& truth);
 
 // The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
-double share_within_two(const Image& image, const Truth& truth, const Image& predicted);
+double coverage(const Image& image, const Truth& truth, const Image& predicted);

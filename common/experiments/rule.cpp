@@ -9,20 +9,20 @@ namespace {
 void add_sample(Samples& samples, const InputRow& row, std::size_t columns) {
     const std::vector<double>& numbers = row.numbers;
     if (numbers.size() != columns || columns < 3 || columns > 5)
-        fail(row.line, line("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
+        fail(row.line, formatted("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
     const Vec3 direction{numbers[0], numbers[1], numbers[2]};
     if (!(std::fabs(length(direction) - 1) <= 1e-6))
-        fail(row.line, line("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
-    if (direction.y < 0) fail(row.line, line("the direction lies below the horizon: its y is %.9g", direction.y));
+        fail(row.line, formatted("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
+    if (direction.y < 0) fail(row.line, formatted("the direction lies below the horizon: its y is %.9g", direction.y));
     samples.directions.push_back(direction);
     if (columns == 4) samples.values.push_back(numbers[3]);
 }
 
 std::string matrix_block(const char* name, const Matrix& matrix) {
-    std::string text = line("\n\n# %s, %zu x %zu\n", name, matrix.rows(), matrix.columns());
+    std::string text = formatted("\n\n# %s, %zu x %zu\n", name, matrix.rows(), matrix.columns());
     for (std::size_t i = 0; i < matrix.rows(); ++i)
         for (std::size_t j = 0; j < matrix.columns(); ++j)
-            text += line("%16.9g", matrix(i, j)) + (j + 1 < matrix.columns() ? " " : "\n");
+            text += formatted("%16.9g", matrix(i, j)) + (j + 1 < matrix.columns() ? " " : "\n");
     return text;
 }
 
@@ -42,18 +42,18 @@ std::string rule_report(const GaussianProcess& process, KnownPart known, const s
     for (std::size_t i = 0; i < process.weights().size(); ++i) {
         const Vec3 direction = process.directions()[i];
         const double weight = process.weights()[i];
-        text +=
-            line("%9.6f %9.6f %9.6f %12.9g %12.6g\n", direction.x, direction.y, direction.z, process.z()[i], weight);
+        text += formatted("%9.6f %9.6f %9.6f %12.9g %12.6g\n", direction.x, direction.y, direction.z, process.z()[i],
+                          weight);
         sum += weight;
         negative += weight < 0;
     }
     const bool cosine = known == KnownPart::cosine;
-    text += line("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
-                 cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
+    text += formatted("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
+                      cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
     if (!values.empty())
-        text += line("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %.6g\n",
-                     cosine ? " times cos(theta)" : "", process.integral(values), process.amplitude(values),
-                     process.standard_error(values));
+        text += formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %.6g\n",
+                          cosine ? " times cos(theta)" : "", process.integral(values), process.amplitude(values),
+                          process.standard_error(values));
     return text;
 }
 

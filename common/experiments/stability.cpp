@@ -12,8 +12,8 @@ namespace {
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
 
 std::string setting(const StabilityRow& row) {
-    return line("%-11s %7zu %-19s %9g ", name_of(row.set, sample_set_names), row.samples,
-                name_of(row.model.family, covariance_names), row.model.parameter);
+    return formatted("%-11s %7zu %-19s %9g ", name_of(row.set, sample_set_names), row.samples,
+                     name_of(row.model.family, covariance_names), row.model.parameter);
 }
 
 // The decimal digits that an error leaves of the 16 of a double.
@@ -32,11 +32,11 @@ std::string digits_table(const std::vector<StabilityRow>& rows) {
         text += "  " + name;
         for (const double noise : noises) {
             if (i == rows.size() || setting(rows[i]) != name || rows[i].noise != noise)
-                text += line("%5s", "?");
+                text += formatted("%5s", "?");
             else if (const StabilityRow& row = rows[i++]; row.refused)
-                text += line("%5s", "-");
+                text += formatted("%5s", "-");
             else
-                text += line("%5d", digits_of(row.weight_error));
+                text += formatted("%5d", digits_of(row.weight_error));
         }
         text += '\n';
     }
@@ -50,7 +50,8 @@ std::string digits_table(const std::vector<StabilityRow>& rows) {
 std::string stability_verdict(const std::vector<StabilityRow>& rows) {
     std::string text = "# The factor accepts these, and less than one digit of their weights is right:\n";
     for (const StabilityRow& row : rows)
-        if (!row.refused && !(row.weight_error < 0.1)) text += "#   " + setting(row) + line("noise %g\n", row.noise);
+        if (!row.refused && !(row.weight_error < 0.1))
+            text += "#   " + setting(row) + formatted("noise %g\n", row.noise);
     double chosen = 1;
     for (const double noise : {1e-2, 1e-4, 1e-6, 1e-8}) {
         double condition = 0, error = 0;
@@ -61,14 +62,15 @@ std::string stability_verdict(const std::vector<StabilityRow>& rows) {
             condition = std::max(condition, row.condition);
             error = std::max(error, row.weight_error);
         }
-        text += line(
+        text += formatted(
             "# Noise %g: %d settings are refused; the others have condition numbers up to %.1g and weights\n"
             "#   that are wrong by up to %.1g of the largest.\n",
             noise, refused, condition, error);
         if (refused == 0 && error < 1e-6) chosen = noise;
     }
-    return text + line("# %g is the least noise here with which nothing is refused and every weight has six digits.\n",
-                       chosen);
+    return text +
+           formatted("# %g is the least noise here with which nothing is refused and every weight has six digits.\n",
+                     chosen);
 }
 
 // A line for each noise.
@@ -79,13 +81,13 @@ std::string errors_table(const std::vector<StabilityRow>& rows) {
         "# has a digit; a matrix that the factor refuses is in a comment.\n"
         "# set         samples covariance          parameter   noise  condition  by_factor by_inverse\n";
     for (const StabilityRow& row : rows) {
-        text += (row.refused ? "# " : "  ") + setting(row) + line("%7g ", row.noise);
+        text += (row.refused ? "# " : "  ") + setting(row) + formatted("%7g ", row.noise);
         if (row.refused)
             text += "refused\n";
         else if (row.condition == 0)
-            text += line("%10s %10.2g %10s\n", "-", row.weight_error, "-");
+            text += formatted("%10s %10.2g %10s\n", "-", row.weight_error, "-");
         else
-            text += line("%10.3g %10.2g %10.2g\n", row.condition, row.weight_error, row.inverse_error);
+            text += formatted("%10.3g %10.2g %10.2g\n", row.condition, row.weight_error, row.inverse_error);
     }
     return text;
 }

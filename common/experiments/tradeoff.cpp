@@ -42,8 +42,8 @@ double standard_deviation(const Integrand& integrand) {
 
 std::string costly_operation(const IntegralCost& row) {
     const auto most = std::max_element(row.seconds.begin(), row.seconds.end() - 1);
-    return line("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples,
-                stages[most - row.seconds.begin()], 100 * *most / row.rule_seconds());
+    return formatted("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples,
+                     stages[most - row.seconds.begin()], 100 * *most / row.rule_seconds());
 }
 
 // Where the rows are timed, with the stage that takes most.
@@ -55,13 +55,13 @@ std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
         text +=
             "# Measured here: microseconds of each stage, and the integrals after which a rule made once has cost\n"
             "# less time than Monte Carlo at equal error.\n";
-    text += line("# samples      mc_rmse     bmc_rmse   +-bmc_rmse   mc_samples%s\n",
-                 timed ? "    draw_us       Q_us  factor_us       z_us weights_us  estim._us    pay_off" : "");
+    text += formatted("# samples      mc_rmse     bmc_rmse   +-bmc_rmse   mc_samples%s\n",
+                      timed ? "    draw_us       Q_us  factor_us       z_us weights_us  estim._us    pay_off" : "");
     for (const IntegralCost& row : rows) {
-        text += line("%9zu %12.3g %12.3g %12.2g %12.3g", row.samples, row.mc_error, row.bmc_error, row.bmc_error_error,
-                     row.equivalent_mc_samples());
-        for (const double seconds : row.seconds) text += line(" %10.3g", 1e6 * seconds);
-        text += timed ? line(" %10.3g\n", row.integrals_to_pay_off()) : "\n";
+        text += formatted("%9zu %12.3g %12.3g %12.2g %12.3g", row.samples, row.mc_error, row.bmc_error,
+                          row.bmc_error_error, row.equivalent_mc_samples());
+        for (const double seconds : row.seconds) text += formatted(" %10.3g", 1e6 * seconds);
+        text += timed ? formatted(" %10.3g\n", row.integrals_to_pay_off()) : "\n";
     }
     return timed ? text + costly_operation(rows.front()) + costly_operation(rows.back()) : text;
 }
@@ -119,8 +119,8 @@ std::vector<Option> Tradeoff::options() {
 }
 
 std::string Tradeoff::report() const {
-    std::vector<std::string> names{environment};
-    if (environment.empty()) names = all ? std::vector<std::string>{"desert"} : built_in_lights();
+    std::vector<std::string> names{environment.empty() ? built_in_lights[0] : environment};
+    if (environment.empty() && !all) names = {std::begin(built_in_lights), std::end(built_in_lights)};
     const Progress progress = terminal_progress("workbench");
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -128,11 +128,11 @@ std::string Tradeoff::report() const {
         if (i == 0)
             text = "# What an integral costs: " + names[i] + " above a tilted surface, Sobolev 3/2, noise 0.01.\n" +
                    integral_report(integral_costs(environment_integrand(light), costs.seed, costs.timed), costs.timed);
-        const auto share = [&](double done) {
-            if (progress) progress((static_cast<double>(i) + done) / static_cast<double>(names.size()));
-        };
-        text += "\n\n# What a picture costs: the sphere scene, " + line("%d x %d pixels, ", costs.size, costs.size) +
-                "under " + names[i] + ".\n" + meaning + (costs.timed ? measured : "");
+        const double count = static_cast<double>(names.size()), begin = static_cast<double>(i) / count;
+        const Progress share = part_of(progress, begin, begin + 1 / count);
+        text += "\n\n# What a picture costs: the sphere scene, " +
+                formatted("%d x %d pixels, ", costs.size, costs.size) + "under " + names[i] + ".\n" + meaning +
+                (costs.timed ? measured : "");
         const auto& compared = all ? all_settings() : main_settings();
         const std::vector<std::size_t> samples =
             all ? std::vector<std::size_t>{10, 20, 40, 80, 160} : std::vector<std::size_t>{10, 40};

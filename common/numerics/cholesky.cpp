@@ -1,26 +1,18 @@
 #include "numerics/cholesky.h"
 
 #include "numerics/cholesky_fast.h"
+#include "numerics/formatted.h"
+#include "numerics/plain_loops.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <string>
-
-namespace {
-
-std::string describe_pivot(std::size_t index, double value, double least) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the matrix is not positive definite: pivot %zu is %.3g and must exceed %.2g; raise the noise", index,
-                  value, least);
-    return text;
-}
-
-}  // namespace
 
 NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least)
-    : std::runtime_error(describe_pivot(pivot_index, pivot_value, least)), index(pivot_index), value(pivot_value) {}
+    : std::runtime_error(formatted("the matrix is not positive definite: pivot %zu is %.3g and must exceed %.2g; raise "
+                                   "the noise",
+                                   pivot_index, pivot_value, least)),
+      index(pivot_index),
+      value(pivot_value) {}
 
 double root_of_pivot(std::size_t k, double pivot, double a_kk) {
     const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(a_kk);
@@ -33,7 +25,7 @@ namespace {
 // U in place of the upper triangle of A, row after row.
 // BEGIN SOLUTION inverse
 void factor(Matrix& u) {
-    if (u.rows() >= cholesky_fast_from) return factor_fast(u);
+    if (!plain_loops) return factor_fast(u);
     for (std::size_t k = 0; k < u.rows(); ++k) {
         const double a_kk = u(k, k);
         for (std::size_t i = 0; i < k; ++i)
@@ -74,7 +66,7 @@ std::vector<double> Cholesky::solve(std::vector<double> b) const {
 
 // BEGIN SOLUTION inverse
 Matrix Cholesky::inverse() const {
-    if (size() >= cholesky_fast_from) return inverse_fast(upper_);
+    if (!plain_loops) return inverse_fast(upper_);
     Matrix inverse(size(), size());
     for (std::size_t j = 0; j < size(); ++j) {
         std::vector<double> e(size());

@@ -29,8 +29,6 @@ struct NotPositiveDefinite : std::runtime_error {
 // u_kk: the root of the pivot of row k, where a_kk is the diagonal element of A. Throws NotPositiveDefinite.
 double root_of_pivot(std::size_t k, double pivot, double a_kk);
 
-inline std::size_t cholesky_fast_from = 4;  // rows of the smallest matrix that the fast twin serves
-
 class Cholesky {
 public:
     // Factors the symmetric n x n matrix a, reading its upper triangle only.

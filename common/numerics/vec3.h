@@ -29,20 +29,10 @@ inline Vec3 normalize(Vec3 v) { return (1 / length(v)) * v; }
 struct Direction {
     float x, y, z;
 
+    Direction(float its_x, float its_y, float its_z) : x(its_x), y(its_y), z(its_z) {}
     explicit Direction(Vec3 v) : x(static_cast<float>(v.x)), y(static_cast<float>(v.y)), z(static_cast<float>(v.z)) {}
     explicit operator Vec3() const { return {x, y, z}; }
 };
 
-inline Direction operator+(Direction a, Direction b) {
-    a.x += b.x;
-    a.y += b.y;
-    a.z += b.z;
-    return a;
-}
-
-inline Direction operator*(float s, Direction v) {
-    v.x *= s;
-    v.y *= s;
-    v.z *= s;
-    return v;
-}
+inline Direction operator+(Direction a, Direction b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Direction operator*(float s, Direction v) { return {s * v.x, s * v.y, s * v.z}; }

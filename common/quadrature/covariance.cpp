@@ -75,11 +75,10 @@ double mean_sine_power(double p) {
     return portable::pow(2, 1 + p) / pi * rim_step / 2 * sum;
 }
 
-void require_no_known_part(KnownPart known) {
-    if (knows_cosine(known))
+void require_closed_form(bool exists) {
+    if (!exists)
         throw std::invalid_argument(
-            "the squared-exponential covariance has no closed form with the known part cosine; "
-            "take sobolev with smoothness 1.5");
+            "a known part goes with the covariance sobolev of smoothness 1.5 only: no other has a closed form for it");
 }
 
 }  // namespace
@@ -107,8 +106,8 @@ void Sobolev::covariances(double* squared_chords, std::size_t count) const {
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
 void Sobolev::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
-    if (knows_cosine(known)) {
-        require_closed_form();
+    if (known == KnownPart::cosine) {
+        require_closed_form(has_closed_form());
         for (double& element : cos_thetas) element = cosine_integral(element);
         return;
     }
@@ -134,15 +133,9 @@ double Sobolev::rim_sum(double cos_theta) const {
     return rim_step * sum;
 }
 
-void Sobolev::require_closed_form() const {
-    if (!has_closed_form())
-        throw std::invalid_argument("the known part cosine has a closed form for the smoothness 1.5 only; it is " +
-                                    std::to_string(exponent_ + 1));
-}
-
 double Sobolev::double_integral(KnownPart known) const {
-    if (!knows_cosine(known)) return double_integral_;
-    require_closed_form();
+    if (known != KnownPart::cosine) return double_integral_;
+    require_closed_form(has_closed_form());
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
 
@@ -165,7 +158,7 @@ void SquaredExponential::covariances(double* squared_chords, std::size_t count) 
 // 2 pi times the sum over m of t_m B_m, with t_m the terms of the modified Bessel function I_1 and B_m the integral
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
 void SquaredExponential::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
-    require_no_known_part(known);
+    require_closed_form(known == KnownPart::nothing);
     for (double& element : cos_thetas) {
         const double squared_sine = (1 - element) * (1 + element);
         double t = kappa_ / 2 * portable::exp(-kappa_), b = element, edge = element, sum = t * b;
@@ -180,7 +173,7 @@ void SquaredExponential::hemisphere_integrals(std::vector<double>& cos_thetas, K
 }
 
 double SquaredExponential::double_integral(KnownPart known) const {
-    require_no_known_part(known);
+    require_closed_form(known == KnownPart::nothing);
     double t = kappa_ / 2 * portable::exp(-kappa_), w = 1, sum = t * 0.5;
     for (int m = 1; m < kappa_ / 2 || sum + t != sum; ++m) {
         t *= kappa_ / (2 * m) * (kappa_ / (2 * m + 2));

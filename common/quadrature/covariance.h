@@ -13,15 +13,10 @@
 #include <utility>
 #include <vector>
 
-// What is known of the integrand: p = 1; p = cos(theta), which leaves the incident radiance to be modelled; or the
-// light, p = L cos(theta), which leaves the visibility. For a known light, z, zz and weights are those for the known
-// cosine: L comes to them as its mean around each direction (prefiltered_environment.h).
-enum class KnownPart { nothing, cosine, light };
-constexpr std::pair<const char*, KnownPart> known_part_names[] = {
-    {"nothing", KnownPart::nothing}, {"cosine", KnownPart::cosine}, {"light", KnownPart::light}};
-
-// Whether p has the factor cos(theta).
-constexpr bool knows_cosine(KnownPart known) { return known != KnownPart::nothing; }
+// What is known of the integrand: p = 1, or p = cos(theta), which leaves the incident radiance to be modelled.
+enum class KnownPart { nothing, cosine };
+constexpr std::pair<const char*, KnownPart> known_part_names[] = {{"nothing", KnownPart::nothing},
+                                                                  {"cosine", KnownPart::cosine}};
 
 class Covariance {
 public:
@@ -67,7 +62,6 @@ public:
 private:
     bool has_closed_form() const { return nodes_.empty(); }
     double rim_sum(double cos_theta) const;
-    void require_closed_form() const;
 
     double exponent_;  // s - 1
     double constant_;  // C

@@ -18,7 +18,7 @@ struct QuadratureRule {
 };
 
 // p(direction).
-inline double known_part(KnownPart known, Vec3 direction) { return knows_cosine(known) ? direction.y : 1; }
+inline double known_part(KnownPart known, Vec3 direction) { return known == KnownPart::cosine ? direction.y : 1; }
 
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.

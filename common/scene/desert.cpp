@@ -1,6 +1,7 @@
 #include "scene/desert.h"
 
 #include "scene/input.h"
+#include "scene/parallel.h"
 #include "scene/radiance_hdr.h"
 
 #include <cstdint>
@@ -125,16 +126,13 @@ void paint(Row& row, double y) {
     row.paint(arch);
 }
 
-// sunlight: how many times as bright as the built-in one the sun is, at least 1.
-EnvironmentMap desert(double sunlight) {
+// sunlight: how many times as bright as in the desert the sun is, at least 1.
+EnvironmentMap desert(double sunlight, unsigned threads) {
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
-    std::vector<float> rgb;
-    rgb.reserve(3 * width * height + EnvironmentMap::beyond);
-    rgb.resize(3 * width * height);
-    float* value = rgb.data();
-    Row row{};
-    for (int j = 0; j < height; ++j) {
+    EnvironmentMap map(width, height);
+    for_each_row(height, threads, [&](int j) {
+        Row row;
         const portable::SineCosine polar = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
         for (std::size_t i = 0; i < width; ++i) {
             row.x[i] = polar.sine * azimuths[i].sine;
@@ -142,38 +140,33 @@ EnvironmentMap desert(double sunlight) {
             row.z[i] = -polar.sine * azimuths[i].cosine;
         }
         paint(row, polar.cosine);
+        float* value = map.row(j);
         for (int i = 0; i < width; ++i) {
             const double to_sun = sunlight > 1 ? 0.5 + 0.5 * dot({row.x[i], row.y[i], row.z[i]}, sun) : 0;
             const double brightness = 1 + (sunlight - 1) * sun_disc(to_sun);
             for (const double component : {row.red[i], row.green[i], row.blue[i]})
                 *value++ = static_cast<float>(brightness * clamp01(component));
         }
-    }
-    return EnvironmentMap(width, height, std::move(rgb));
+    });
+    return map;
 }
 
-// The hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
 EnvironmentMap black_and_white() {
-    std::vector<float> rgb;
+    EnvironmentMap map(width, height);
     for (int j = 0; j < height; ++j)
         for (int i = 0; i < width; ++i) {
             const double x = portable::sincos_turns((i + 0.5) / (width - 1) - 0.5).sine;
-            rgb.insert(rgb.end(), 3, x > 0 ? 1.0f : 0.0f);
+            std::fill_n(map.row(j) + 3 * i, 3, x > 0 ? 1.0f : 0.0f);
         }
-    return EnvironmentMap(width, height, std::move(rgb));
+    return map;
 }
 
 }  // namespace
 
-EnvironmentMap built_in_environment() { return desert(1); }
-EnvironmentMap bright_desert() { return desert(1000); }
-
-std::vector<std::string> built_in_lights() { return {"desert", "bright-desert", "black-and-white"}; }
-
-EnvironmentMap load_environment(const std::string& name) {
-    if (name.empty() || name == "desert") return built_in_environment();
-    if (name == "bright-desert") return bright_desert();
-    if (name == "black-and-white") return black_and_white();
+EnvironmentMap load_environment(const std::string& name, unsigned threads) {
+    if (name == built_in_lights[0]) return desert(1, threads);
+    if (name == built_in_lights[1]) return desert(1000, threads);
+    if (name == built_in_lights[2]) return black_and_white();
     std::optional<EnvironmentMap> map;
     read_input(name, [&](std::istream& in) { map = read_radiance_hdr(in); });
     return std::move(*map);

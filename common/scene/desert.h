@@ -6,19 +6,18 @@
 #include <string>
 #include <vector>
 
-// A desert with an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the arch:
-// 1024 x 512 texels of linear RGB radiance in [0, 1].
-EnvironmentMap built_in_environment();
+// Maps of 1024 x 512 texels of linear RGB radiance.
+//   desert           an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the
+//                    arch; radiance in [0, 1]
+//   bright-desert    the same with a sun a thousand times brighter, as a real one is or more: it sends five sixths of
+//   the
+//                    light
+//   black-and-white  the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere
+constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
 
-// The same with a sun a thousand times brighter, as a real one is or more: it sends five sixths of the light.
-EnvironmentMap bright_desert();
-
-// desert, bright-desert, black-and-white.
-std::vector<std::string> built_in_lights();
-
-// The environment of a name: a built-in light, a .hdr file, or the desert if the name is empty. Throws
+// The built-in light of this name, painted by so many threads, or else the one in the .hdr file. Throws
 // std::runtime_error, one line that names the file.
-EnvironmentMap load_environment(const std::string& name);
+EnvironmentMap load_environment(const std::string& name = "desert", unsigned threads = 1);
 
 // What a help text says of the name.
 constexpr const char* environment_help =

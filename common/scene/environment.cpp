@@ -17,13 +17,17 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
         if (!(radiance >= 0 && radiance <= FLT_MAX))
             throw std::invalid_argument("environment map: " + std::to_string(radiance) +
                                         " is not a finite radiance >= 0");
-    rgb_.resize(rgb_.size() + beyond);
+    rgb_.resize(rgb_.size() + padding);
 }
+
+EnvironmentMap::EnvironmentMap(int width, int height)
+    : grid_(width, height), rgb_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + padding) {}
 
 // The last column and the last row count only in a map that has no other: they have no width.
 Color EnvironmentMap::interpolated_radiance(Vec3 direction) const {
     const int columns = std::max(width() - 1, 1), last_row = std::max(height() - 2, 0);
-    const double u = grid_.column(direction.x, direction.z) - 0.5, v = grid_.row(direction.y) - 0.5;
+    const double u = grid_.column_coordinate(direction.x, direction.z) - 0.5,
+                 v = grid_.row_coordinate(direction.y) - 0.5;
     const double s = u - std::floor(u), t = v - std::floor(v);
     const int left = static_cast<int>(std::floor(u)) + columns, above = static_cast<int>(std::floor(v));
     const auto row = [&](int y) {

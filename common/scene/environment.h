@@ -23,17 +23,17 @@ public:
     // texel's border by 3e-5, and may take the last of more than 2^24 texels for one more.
     template <class Real>
     int texel_index(Real x, Real y, Real z) const {
-        const int i = static_cast<int>(row(y)), j = static_cast<int>(column(x, z));
+        const int i = static_cast<int>(row_coordinate(y)), j = static_cast<int>(column_coordinate(x, z));
         return (i < height_ ? i : height_ - 1) * width_ + (j < width_ ? j : width_ - 1);
     }
 
     // v (H - 1) and u (W - 1), for those who look between texels.
     template <class Real>
-    Real row(Real y) const {
+    Real row_coordinate(Real y) const {
         return clamp(arccosine(y) * Real(1 / portable::pi) * Real(height_ - 1), Real(height_ - 1));
     }
     template <class Real>
-    Real column(Real x, Real z) const {
+    Real column_coordinate(Real x, Real z) const {
         return clamp((Real(0.5) + azimuth(x, z) * Real(0.5 / portable::pi)) * Real(width_ - 1), Real(width_ - 1));
     }
 
@@ -86,12 +86,16 @@ public:
     // std::invalid_argument for anything else, also for more than max_texels.
     EnvironmentMap(int width, int height, std::vector<float> rgb);
 
+    // A black map, and its rows for whoever paints it: finite radiance >= 0.
+    EnvironmentMap(int width, int height);
+    float* row(int y) { return &rgb_[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width())]; }
+
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }
 
-    // Texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as beyond says: a black texel,
+    // Texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as padding says: a black texel,
     // for loops that take four floats at a time.
-    static constexpr std::size_t beyond = 4;
+    static constexpr std::size_t padding = 4;
     const float* texels() const { return rgb_.data(); }
     Color texel(int i) const {
         const float* rgb = texels() + 3 * std::ptrdiff_t{i};

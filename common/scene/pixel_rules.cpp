@@ -1,47 +1,61 @@
 #include "scene/pixel_rules.h"
 
-#include <algorithm>
+namespace {
 
-PixelRules::PixelRules(const RenderSettings& settings, const PrefilteredEnvironment* averages)
-    : settings_(settings),
-      averages_(averages),
-      covariance_(settings.make_covariance()),
-      sun_samples_(averages ? ::sun_samples(*averages, settings.samples) : 0) {
-    settings_.samples = std::max<std::size_t>(settings.samples - sun_samples_, 1);
+// How many rules pixels share.
+std::size_t shared_count(const RenderSettings& settings) {
+    if (settings.method == Method::pool) return settings.pool;
+    if (settings.method == Method::mc) return is_lattice(settings.placement) ? 1 : 0;
+    return settings.method == Method::direct ? 0 : 1;
 }
 
-std::size_t PixelRules::shared_count() const {
-    if (settings_.method == Method::pool) return settings_.pool;
-    const bool turned = settings_.method == Method::mc && is_lattice(settings_.placement);
-    return turned || settings_.method == Method::single || settings_.method == Method::rotated ? 1 : 0;
+MakeRule practice_rules(const RenderSettings& settings) {
+    const auto as_shared = [](const QuadratureRule& rule) {
+        return std::make_shared<const PixelRule>(PixelRule{cosine_rule(rule)});
+    };
+    if (settings.method == Method::mc)
+        return [=](DirectionSet set) { return as_shared(monte_carlo_rule(std::move(set))); };
+    const std::shared_ptr<const Covariance> covariance = settings.make_covariance();
+    return [=, noise = settings.noise, known = settings.known](DirectionSet set) {
+        return as_shared(bayesian_rule(*covariance, noise, std::move(set.directions), known));
+    };
 }
 
-void PixelRules::make_shared_rule() {
+}  // namespace
+
+Random pixel_stream(const RenderSettings& settings, int x, int y) {
+    return {settings.seed,
+            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
+}
+
+PixelRules::PixelRules(const RenderSettings& settings, const Progress& progress)
+    : PixelRules(settings, practice_rules(settings), progress) {}
+
+PixelRules::PixelRules(const RenderSettings& settings, MakeRule make, const Progress& progress)
+    : settings_(settings), make_(std::move(make)) {
     constexpr std::uint64_t first_stream = std::uint64_t{1} << 63;
-    Random random(settings_.seed, first_stream + shared_rules_.size());
-    shared_rules_.push_back(fresh_rule(settings_.samples, random));
+    const std::size_t count = shared_count(settings);
+    for (std::size_t i = 0; i < count; ++i) {
+        Random random(settings.seed, first_stream + i);
+        owned_rules_.push_back(fresh_rule(random));
+        shared_rules_.emplace_back(std::shared_ptr<void>(), owned_rules_[i].get());
+        if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(count));
+    }
 }
 
-std::shared_ptr<const PixelRule> PixelRules::fresh_rule(std::size_t samples, Random& random) const {
-    DirectionSet set = place_directions(settings_.placement, samples, random);
-    PixelRule pixel_rule;
-    QuadratureRule rule;
-    if (settings_.method == Method::mc) {
-        rule = monte_carlo_rule(std::move(set));
-    } else {
-        GaussianProcess process(*covariance_, settings_.noise, std::move(set.directions), settings_.known);
-        rule = {process.directions(), process.weights(), settings_.known};
-        if (settings_.show == Show::error) pixel_rule.process = std::move(process);
-    }
-    pixel_rule.rule = averages_ ? quotient_rule(rule) : cosine_rule(rule);
-    if (averages_) pixel_rule.caps = caps_of(rule, *averages_);
-    return std::make_shared<const PixelRule>(std::move(pixel_rule));
+double PixelRules::share_of_work(const RenderSettings& settings) {
+    const double rules = static_cast<double>(shared_count(settings));
+    return rules / (rules + settings.height);
+}
+
+std::shared_ptr<const PixelRule> PixelRules::fresh_rule(Random& random) const {
+    return make_(place_directions(settings_.placement, settings_.samples, random));
 }
 
 // BEGIN SOLUTION direct
 // A Gaussian process for every integral, on fresh directions from the pixel's random numbers.
 PlacedRule PixelRules::direct(Vec3 normal, Random& random) const {
-    const std::shared_ptr<const PixelRule> rule = fresh_rule(settings_.samples, random);
+    const std::shared_ptr<const PixelRule> rule = fresh_rule(random);
     return {rule, Frame(normal)};
 }
 // END SOLUTION
@@ -71,16 +85,10 @@ PlacedRule PixelRules::pool(Vec3 normal, double u, double turns) const {
 }
 // END SOLUTION
 
-PlacedRule PixelRules::of(Vec3 normal, Random& random) const {
-    PlacedRule placed = without_sun(normal, random);
-    if (sun_samples_ > 0) placed.sun = {sun_samples_, random};
-    return placed;
-}
-
-PlacedRule PixelRules::without_sun(Vec3 normal, Random& random) const {
+PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
     if (settings_.method == Method::direct) return direct(normal, random);
     if (settings_.method == Method::single) return single(normal);
-    if (shared_rules_.empty()) return {fresh_rule(settings_.samples, random), Frame(normal)};
+    if (shared_rules_.empty()) return {fresh_rule(random), Frame(normal)};
     const double u = random.uniform();
     const double turns = random.uniform();
     return settings_.method == Method::pool ? pool(normal, u, turns) : rotated(normal, turns);

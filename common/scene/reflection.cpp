@@ -1,13 +1,24 @@
 #include "scene/reflection.h"
 
+#include "numerics/plain_loops.h"
+#include "scene/reflection_fast.h"
+
+void CosineRule::add(Vec3 direction, double weight) {
+    const auto end = static_cast<std::ptrdiff_t>(size());
+    x.insert(x.begin() + end, static_cast<float>(direction.x));
+    y.insert(y.begin() + end, static_cast<float>(direction.y));
+    z.insert(z.begin() + end, static_cast<float>(direction.z));
+    weights.push_back(weight);
+}
+
 // BEGIN SOLUTION shade
 // The cosine belongs to the weights unless it is the rule's known part, which its weights have in them.
 CosineRule cosine_rule(const QuadratureRule& rule) {
     CosineRule cosine_rule;
     for (std::size_t i = 0; i < rule.weights.size(); ++i) {
         const Vec3 direction = rule.directions[i];
-        const double cosine = knows_cosine(rule.known) ? 1 : direction.y;
-        cosine_rule.push_back({Direction(direction), rule.weights[i] * cosine});
+        const double cosine = rule.known == KnownPart::cosine ? 1 : direction.y;
+        cosine_rule.add(direction, rule.weights[i] * cosine);
     }
     return cosine_rule;
 }
@@ -17,10 +28,11 @@ CosineRule cosine_rule(const QuadratureRule& rule) {
 // The sum of weights times the environment's radiance in the directions that pass the other object, times albedo / pi.
 Color reflected_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
                       const Frame& frame) {
+    if (!plain_loops) return reflected_light_fast(scene, environment, hit, rule, frame);
     Color irradiance;
-    for (const auto& [local, weight] : rule) {
-        const Direction direction = frame.to_world(local);
-        if (!is_shadowed(scene, hit, direction)) irradiance += weight * environment.radiance(direction);
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+        const Direction direction = frame.to_world(rule.direction(i));
+        if (!is_shadowed(scene, hit, direction)) irradiance += rule.weights[i] * environment.radiance(direction);
     }
     return 1 / portable::pi * (hit.albedo * irradiance);
 }

@@ -9,12 +9,18 @@
 
 #include <vector>
 
-// A rule for the integral of f cos(theta) dw over H, where f is to be sampled: cos(theta) is in its weights.
-struct WeightedDirection {
-    Direction direction;
-    double weight;
+// A rule for the integral of f cos(theta) dw over H, where f is to be sampled: cos(theta) is in its weights. An array
+// for each component, so that neighbouring directions can be worked on side by side, eight at a time: after the last
+// one stand eight zeros.
+struct CosineRule {
+    static constexpr std::size_t padding = 8;
+    std::vector<float> x = std::vector<float>(padding), y = x, z = x;
+    std::vector<double> weights;
+
+    std::size_t size() const { return weights.size(); }
+    Direction direction(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    void add(Vec3 direction, double weight);
 };
-using CosineRule = std::vector<WeightedDirection>;
 
 CosineRule cosine_rule(const QuadratureRule& rule);
 

@@ -9,12 +9,13 @@
 #include "scene/pixel_rules.h"
 #include "scene/scene.h"
 
-#include <functional>
+// The image of linear radiance. Throws what the Gaussian processes throw.
+Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings,
+             const Progress& progress = nullptr);
 
-// Called with the fraction of the steps that are done, rules and rows, from one thread.
-using Progress = std::function<void(double)>;
+// The colour of a point that the camera sees, from its pixel's stream of random numbers. Many threads call it.
+using Shade = std::function<Color(const Hit&, Random&)>;
 
-// The image of linear radiance, or of its predicted standard errors, 0 where no object is. Every pixel draws from a
-// random stream of its own. Throws what the Gaussian processes throw.
-Image render(const Scene& scene, const Light& light, const RenderSettings& settings,
+// The image of these colours; a pixel that shows no object shows the background.
+Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade,
              const Progress& progress = nullptr);

@@ -42,10 +42,8 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray) {
     return Hit{Object::rectangle, point, {0, ray.direction.y < 0 ? 1.0 : -1.0, 0}, scene.rectangle.albedo};
 }
 
-double object_pixels(const Scene& scene, int width, int height) {
-    const Camera camera{width, height};
+double object_pixels(const Scene& scene, const Camera& camera) {
     double count = 0;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) count += intersect(scene, camera.ray(x, y)).has_value();
+    for_each_hit(scene, camera, [&](int, int, const Hit&) { ++count; });
     return count;
 }

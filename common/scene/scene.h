@@ -52,11 +52,19 @@ struct Hit {
 // The first object that the ray meets.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 
-// The number of pixels that show an object.
-double object_pixels(const Scene& scene, int width, int height);
+// Calls f(x, y, hit) for every pixel that shows an object, row after row.
+template <class Function>
+void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
+}
+
+// The number of these pixels.
+double object_pixels(const Scene& scene, const Camera& camera);
 
 // Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it;
-// computed in the direction's precision.
+// computed in the direction's precision, without a branch, so that many directions can be tried side by side.
 
 // |o|^2 - (o.d)^2 < radius^2 for the offset o to the centre, where the centre lies ahead.
 template <class Vector>
@@ -64,7 +72,7 @@ bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vector direction) {
     using Real = decltype(direction.x);
     const Vec3 o = sphere.centre - point;
     const Real ahead = Real(o.x) * direction.x + Real(o.y) * direction.y + Real(o.z) * direction.z;
-    return ahead > 0 && ahead * ahead > Real(dot(o, o) - sphere.radius * sphere.radius);
+    return (ahead > 0) & (ahead * ahead > Real(dot(o, o) - sphere.radius * sphere.radius));
 }
 
 // From a height h on either side of the plane, the point where the ray meets it, multiplied by the ray's approach.
@@ -74,14 +82,19 @@ bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vector direction) {
     const Real height = Real(std::fabs(point.y - rectangle.y));
     const Real approach = point.y < rectangle.y ? direction.y : -direction.y;
     const Real across = height * direction.x, along = height * direction.z;
-    return approach > 0 && across >= Real(rectangle.x_min - point.x) * approach &&
-           across <= Real(rectangle.x_max - point.x) * approach &&
-           along >= Real(rectangle.z_min - point.z) * approach && along <= Real(rectangle.z_max - point.z) * approach;
+    return (approach > 0) & (across >= Real(rectangle.x_min - point.x) * approach) &
+           (across <= Real(rectangle.x_max - point.x) * approach) &
+           (along >= Real(rectangle.z_min - point.z) * approach) &
+           (along <= Real(rectangle.z_max - point.z) * approach);
 }
 
-// The same at a hit. The objects are convex: one is shadowed by the other only.
+// f of the object that can shadow a hit. The objects are convex: one is shadowed by the other only.
+template <class Function>
+auto of_other_object(const Scene& scene, const Hit& hit, Function f) {
+    return hit.object == Object::sphere ? f(scene.rectangle) : f(scene.sphere);
+}
+
 template <class Vector>
 bool is_shadowed(const Scene& scene, const Hit& hit, Vector direction) {
-    return hit.object == Object::sphere ? is_shadowed_by(scene.rectangle, hit.point, direction)
-                                        : is_shadowed_by(scene.sphere, hit.point, direction);
+    return of_other_object(scene, hit, [&](const auto& other) { return is_shadowed_by(other, hit.point, direction); });
 }

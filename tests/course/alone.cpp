@@ -124,12 +124,18 @@ const char* named(double value, std::initializer_list<std::pair<double, const ch
     return "by another factor";
 }
 
+CosineRule rule_of(std::initializer_list<std::pair<Vec3, double>> directions) {
+    CosineRule rule;
+    for (const auto& [direction, weight] : directions) rule.add(direction, weight);
+    return rule;
+}
+
 void shade() {
     const Vec3 right{1, 0, 0}, up{0, 1, 0}, down{0, -1, 0};
     const CosineRule rule = cosine_rule({{up, {0.6, 0.8, 0}, {0, 0.8, 0.6}}, {10, 10, 30}});
     std::printf(
         "# cos(theta) in the weights: %s\n",
-        named(rule.at(1).weight / 10, {{0.8, "once"}, {0.64, "twice"}, {1, "missing"}, {0.6, "the sine instead"}}));
+        named(rule.weights.at(1) / 10, {{0.8, "once"}, {0.64, "twice"}, {1, "missing"}, {0.6, "the sine instead"}}));
     std::vector<float> rgb;  // brighter than a screen
     for (int texel = 0; texel < 4; ++texel) rgb.insert(rgb.end(), {20, 40, 80});
     const EnvironmentMap environment(2, 2, rgb);
@@ -139,8 +145,8 @@ void shade() {
     const Hit on_side{Object::sphere, scene.sphere.centre + scene.sphere.radius * right, right, albedo};
     const Hit ground{Object::rectangle, {0, scene.rectangle.y, scene.sphere.centre.z}, up, albedo};
     const Hit below{Object::rectangle, ground.point, down, albedo};
-    const CosineRule one{{Direction(up), 10}}, two{{Direction(up), 10}, {Direction({0.6, 0.8, 0}), 5}};
-    const CosineRule across{{Direction(right), 10}, {Direction({-1, 0, 0}), 20}, {Direction({0, 0, 1}), 30}};
+    const CosineRule one = rule_of({{up, 10}}), two = rule_of({{up, 10}, {{0.6, 0.8, 0}, 5}});
+    const CosineRule across = rule_of({{right, 10}, {{-1, 0, 0}, 20}, {{0, 0, 1}, 30}});
     const auto light = [&](const Hit& hit, const CosineRule& its) {
         return reflected_light(scene, environment, hit, its, Frame(hit.normal));
     };
@@ -156,7 +162,8 @@ void shade() {
                                                                   {0.0625, "the albedo twice"},
                                                                   {0, "no light"}}));
     std::printf("# elevation_cosine weight\n");
-    for (const auto& [direction, weight] : rule) std::printf("%.6g %.6g\n", static_cast<double>(direction.y), weight);
+    for (std::size_t i = 0; i < rule.size(); ++i)
+        std::printf("%.6g %.6g\n", static_cast<double>(rule.y[i]), rule.weights[i]);
     std::printf("# place red green blue\n");
     print_light("nothing", light(on_top, {}));
     print_light("sphere,one_direction", light(on_top, one));

@@ -57,8 +57,7 @@ double GaussianProcess::standard_error(const std::vector<double>& values) const 
 
 CosineRule cosine_rule(const QuadratureRule& rule) {
     CosineRule same;
-    for (std::size_t i = 0; i < rule.weights.size(); ++i)
-        same.push_back({Direction(rule.directions[i]), rule.weights[i]});
+    for (std::size_t i = 0; i < rule.weights.size(); ++i) same.add(rule.directions[i], rule.weights[i]);
     return same;
 }
 
@@ -91,7 +90,7 @@ struct Pixel {
         return all - std::floor(all);
     }
     Vec3 local(std::size_t i) const {
-        const Direction d = placed.frame.to_world(placed.rule->rule.at(i).direction);
+        const Direction d = placed.frame.to_world(placed.rule->directions.direction(i));
         const Frame frame(normal);
         const Vec3 w{d.x, d.y, d.z};
         return {dot(w, frame.tangent), dot(w, frame.normal), dot(w, frame.bitangent)};
@@ -111,7 +110,7 @@ const char* angle(const std::vector<Pixel>& pixels) {
     for (const auto& [factor, words] : factors) {
         bool fits = true;
         for (const Pixel& pixel : pixels)
-            for (std::size_t i = 0; i < pixel.placed.rule->rule.size(); ++i) {
+            for (std::size_t i = 0; i < pixel.placed.rule->directions.size(); ++i) {
                 const double apart = pixel.turned(i) - factor * pixel.turns;
                 fits = fits && std::fabs(apart - std::floor(apart + 0.5)) < 1e-3;
             }
@@ -122,10 +121,10 @@ const char* angle(const std::vector<Pixel>& pixels) {
 
 void choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
-    for (const auto& shared : rules.shared()) numbers.emplace(shared->rule.at(0).weight, numbers.size());
+    for (const auto& shared : rules.shared()) numbers.emplace(shared->directions.weights.at(0), numbers.size());
     std::map<std::size_t, std::pair<double, double>> chosen;  // the least and the largest u for which it is chosen
     for (const Pixel& pixel : pixels) {
-        const std::size_t number = numbers.at(pixel.placed.rule->rule.at(0).weight);
+        const std::size_t number = numbers.at(pixel.placed.rule->directions.weights.at(0));
         auto& [least, largest] = chosen.emplace(number, std::pair(pixel.u, pixel.u)).first->second;
         least = std::min(least, pixel.u), largest = std::max(largest, pixel.u);
     }
@@ -141,8 +140,7 @@ void method(Method its) {
     settings.method = its;
     settings.samples = 3;
     settings.pool = 7;
-    PixelRules rules(settings, nullptr);
-    while (rules.shared().size() < rules.shared_count()) rules.make_shared_rule();
+    const PixelRules rules(settings);
     const std::size_t shared = rules_made;
     std::vector<Pixel> pixels;
     bool upright = true, own = true;
@@ -150,13 +148,13 @@ void method(Method its) {
         Random random(3, i), same(3, i);
         const double u = same.uniform(), turns = same.uniform();
         const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 0.1 + u, turns - 0.5});
-        pixels.push_back({u, turns, rules.of(normal, random), normal});
-        const CosineRule& rule = pixels.back().placed.rule->rule;
+        pixels.push_back({u, turns, rules.rule_for(normal, random), normal});
+        const CosineRule& rule = pixels.back().placed.rule->directions;
         for (std::size_t j = 0; j < rule.size(); ++j)
-            upright = upright && std::fabs(pixels.back().local(j).y - static_cast<double>(rule[j].direction.y)) < 1e-3;
+            upright = upright && std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
         own = own && std::fabs(pixels.back().local(0).y - u) < 1e-3;
     }
-    std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->rule.size());
+    std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->directions.size());
     std::printf("# rules made for 2000 pixels: %zu\n", rules_made - shared);
     std::printf("# their up axis is the normal: %s\n", upright ? "yes" : "no");
     std::printf("# turned: %s\n", angle(pixels));

@@ -12,7 +12,6 @@
 #include "experiments/picture_error.h"
 #include "quadrature/gaussian_process.h"
 #include "scene/desert.h"
-#include "scene/render.h"
 
 #ifdef COMPARE_LAPACK
 extern "C" {
@@ -26,26 +25,26 @@ namespace {
 const Sobolev sobolev;
 volatile double sink;  // what is timed ends here, so that it is not optimised away
 
-double rays_of(const RenderSettings& settings) {
-    return object_pixels(sphere_scene(), settings.width, settings.height) * static_cast<double>(settings.samples);
+double rays_of(const PictureSettings& settings) {
+    return object_pixels(sphere_scene(), {settings.width, settings.height}) * static_cast<double>(settings.samples);
 }
 
-RenderSettings square(int size, std::size_t samples, unsigned threads) {
-    RenderSettings settings;
+PictureSettings square(int size, std::size_t samples, unsigned threads) {
+    PictureSettings settings;
     settings.width = settings.height = size;
     settings.samples = samples;
     settings.threads = threads;
     return settings;
 }
 
-double render_seconds(const Light& environment, const RenderSettings& settings) {
-    return seconds_of([&] { sink = render(sphere_scene(), environment, settings)(0, 0).x; });
+double render_seconds(const EnvironmentLight& light, const PictureSettings& settings) {
+    return seconds_of([&] { sink = picture(sphere_scene(), light, settings)(0, 0).x; });
 }
 
 // The rules are made once, whatever the size: a picture of one pixel tells what they take.
-double ray_seconds(const Light& environment, const RenderSettings& settings) {
-    const double rules = render_seconds(environment, square(1, settings.samples, 1));
-    return (render_seconds(environment, settings) - rules) / rays_of(settings);
+double ray_seconds(const EnvironmentLight& light, const PictureSettings& settings) {
+    const double rules = render_seconds(light, square(1, settings.samples, 1));
+    return (render_seconds(light, settings) - rules) / rays_of(settings);
 }
 
 // The pool method's loop as one would first write it: a direction at a time, angles by libm.
@@ -65,7 +64,7 @@ Color plain_reflected_light(const Scene& scene, const Hit& hit, const Quadrature
     return sum;
 }
 
-double plain_render_seconds(const EnvironmentMap& environment, const RenderSettings& settings) {
+double plain_render_seconds(const EnvironmentMap& environment, const PictureSettings& settings) {
     Random random(1, 0);
     const QuadratureRule rule = bayesian_rule(sobolev, 0.01, uniform_directions(settings.samples, random));
     const Camera camera{settings.width, settings.height};
@@ -81,24 +80,24 @@ double plain_render_seconds(const EnvironmentMap& environment, const RenderSetti
 }
 
 void bench_parts() {
-    const EnvironmentMap environment = built_in_environment();
-    const RenderSettings settings = square(500, 40, 1);
+    const EnvironmentMap environment = load_environment();
+    const PictureSettings settings = square(500, 40, 1);
     const Image image = render(sphere_scene(), environment, settings);
     std::printf("# ./renderer --threads 1, milliseconds: light %.2f, rules %.2f, pixels %.2f, PPM %.2f\n",
-                1e3 * seconds_of([] { sink = built_in_environment().texels()[0]; }),
-                1e3 * render_seconds(environment, square(1, settings.samples, 1)),
-                1e3 * ray_seconds(environment, settings) * rays_of(settings),
+                1e3 * seconds_of([] { sink = load_environment().texels()[0]; }),
+                1e3 * render_seconds({environment}, square(1, settings.samples, 1)),
+                1e3 * ray_seconds({environment}, settings) * rays_of(settings),
                 1e3 * seconds_of([&] { sink = static_cast<double>(to_ppm(image).size()); }));
 }
 
 void bench_rendering() {
-    const EnvironmentMap environment = built_in_environment();
+    const EnvironmentMap environment = load_environment();
     std::printf(
         "\n# a secondary ray of method pool, the rules made\n# size samples threads ms/picture   ns/ray  MiB at "
         "most\n");
     const auto row = [&](int size, std::size_t samples, unsigned threads) {
-        const RenderSettings settings = square(size, samples, threads);
-        const double seconds = ray_seconds(environment, settings);
+        const PictureSettings settings = square(size, samples, threads);
+        const double seconds = ray_seconds({environment}, settings);
         rusage usage;
         getrusage(RUSAGE_SELF, &usage);
         std::printf("%6d %7zu %7u %10.2f %8.2f %12ld\n", size, samples, threads, 1e3 * seconds * rays_of(settings),
@@ -107,11 +106,11 @@ void bench_rendering() {
     for (const int size : {125, 250, 500, 1000, 2000}) row(size, 40, 1);
     for (const std::size_t samples : {10u, 100u, 400u, 1000u}) row(250, samples, 1);
     for (const unsigned threads : {1u, 2u, 4u}) row(500, 40, threads);
-    const RenderSettings plain = square(250, 40, 1);
+    const PictureSettings plain = square(250, 40, 1);
     std::printf("# as one would first write it: %.2f ns/ray\n",
                 1e9 * plain_render_seconds(environment, plain) / rays_of(plain));
     for (const unsigned threads : {1u, 2u}) {
-        RenderSettings direct = square(500, 40, threads);
+        PictureSettings direct = square(500, 40, threads);
         direct.method = Method::direct;
         std::printf("# method direct, 500x500, 40 samples, %u threads: %.2f s\n", threads,
                     seconds_of([&] { sink = render(sphere_scene(), environment, direct)(0, 0).x; }));
@@ -121,10 +120,11 @@ void bench_rendering() {
 // A ray where the cosine is known and where the light is, on the directions that suit both; the two in turn, since the
 // machine's speed drifts.
 void bench_known_light() {
-    const EnvironmentMap environment = built_in_environment();
-    const Light light(environment);
+    const EnvironmentMap environment = load_environment();
+    const PrefilteredEnvironment prefiltered(environment);
+    const EnvironmentLight light{environment, &prefiltered};
     std::size_t floats = 3 * 257 * 129;  // of the irradiance
-    for (const LightTable& table : light.averages().tables())
+    for (const LightTable& table : prefiltered.tables())
         if (table.rgb != environment.texels()) floats += 3 * static_cast<std::size_t>(table.columns * table.rows);
     std::printf("\n# averages of a known light: %.1f ms, %.1f MiB\n",
                 1e3 * seconds_of([&] {
@@ -132,13 +132,13 @@ void bench_known_light() {
                 }),
                 static_cast<double>(floats * sizeof(float)) / (1 << 20));
     for (const std::size_t samples : {10u, 40u, 160u}) {
-        RenderSettings settings = square(250, samples, 1);
+        PictureSettings settings = square(250, samples, 1);
         settings.placement = Placement::cosine_fibonacci;
         std::vector<double> cosine, known;
         for (int run = 0; run < 7; ++run) {
-            settings.known = KnownPart::cosine;
+            settings.set_known(Known::cosine);
             cosine.push_back(ray_seconds(light, settings));
-            settings.known = KnownPart::light;
+            settings.set_known(Known::light);
             known.push_back(ray_seconds(light, settings));
         }
         const double least = *std::min_element(cosine.begin(), cosine.end());

@@ -1,5 +1,7 @@
 #include "numerics/cholesky.h"
 
+#include "numerics/plain_loops.h"
+
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
@@ -66,8 +68,8 @@ struct Outcome {
 };
 
 Outcome outcome(const Matrix& a, bool plain) {
-    const std::size_t usual = cholesky_fast_from, count = a.rows() * a.rows();
-    cholesky_fast_from = plain ? a.rows() + 1 : 1;
+    const std::size_t count = a.rows() * a.rows();
+    plain_loops = plain;
     Outcome result;
     try {
         const Cholesky cholesky(a);
@@ -77,7 +79,7 @@ Outcome outcome(const Matrix& a, bool plain) {
     } catch (const NotPositiveDefinite& error) {
         result = {{static_cast<double>(error.index), error.value}, error.what()};
     }
-    cholesky_fast_from = usual;
+    plain_loops = false;
     return result;
 }
 

@@ -104,7 +104,7 @@ TEST_CASE("a frame is orthonormal and right-handed around every normal, the axes
         CHECK(std::fabs(dot(frame.tangent, normal)) < 2e-15);
         CHECK(std::fabs(dot(frame.bitangent, normal)) < 2e-15);
         CHECK(std::fabs(dot(cross(frame.tangent, frame.normal), frame.bitangent) - 1) < 2e-15);
-        CHECK(largest_difference(frame.to_world({0, 1, 0}), normal) == 0);
+        CHECK(largest_difference(frame.to_world(Vec3{0, 1, 0}), normal) == 0);
     }
 }
 

@@ -1,6 +1,6 @@
+#include "known_light/irradiance_map.h"
 #include "quadrature/hemisphere.h"
 #include "scene/desert.h"
-#include "scene/irradiance_map.h"
 
 #include <doctest/doctest.h>
 
@@ -77,7 +77,7 @@ EnvironmentMap with_bright_texel(int width, int height, int row, int column, dou
 }  // namespace
 
 TEST_CASE("the irradiance of 1000 random normals is within 1e-3 of the largest") {
-    CHECK(worst_error(built_in_environment(), random_normals(1000)) < 1e-3);
+    CHECK(worst_error(load_environment(), random_normals(1000)) < 1e-3);
 }
 
 // Where a point light sets, E has a kink, and interpolation over cells of pi / 128 errs there by up to a quarter of

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int side = 60;
 
-RenderSettings settings_of(Method method, std::size_t samples = 40) {
-    RenderSettings settings;
+PictureSettings settings_of(Method method, std::size_t samples = 40) {
+    PictureSettings settings;
     settings.method = method;
     settings.samples = samples;
     settings.width = settings.height = side;
@@ -23,7 +23,7 @@ RenderSettings settings_of(Method method, std::size_t samples = 40) {
 }
 
 const EnvironmentMap& desert() {
-    static const EnvironmentMap map = built_in_environment();
+    static const EnvironmentMap map = load_environment();
     return map;
 }
 
@@ -158,10 +158,11 @@ TEST_CASE("a picture of another method is found and named" * doctest::test_suite
 }
 
 TEST_CASE("streaks are found, and the pixels that share random numbers are named") {
-    RenderSettings dense = settings_of(Method::mc, 500);
+    PictureSettings dense = settings_of(Method::mc, 500);
     dense.placement = Placement::cosine_fibonacci;
-    dense.known = KnownPart::light;
-    const Image truth = render(sphere_scene(), desert(), dense);
+    dense.set_known(Known::light);
+    const PrefilteredEnvironment prefiltered(desert());
+    const Image truth = picture(sphere_scene(), {desert(), &prefiltered}, dense);
     std::vector<double> noise;  // of every column, about as much as a pool has
     Random random(3, 0);
     for (int x = 0; x < side; ++x) noise.push_back(1 + 0.12 * (random.uniform() - 0.5));
@@ -190,10 +191,10 @@ TEST_CASE("numbers that are common each, but not together, are found" * doctest:
 }
 
 TEST_CASE("a picture is judged though its model refuses other numbers of samples" * doctest::test_suite("long")) {
-    RenderSettings settings = settings_of(Method::pool, 10);
+    PictureSettings settings = settings_of(Method::pool, 10);
     settings.noise = 0;
     settings.covariance = CovarianceFamily::squared_exponential;
-    RenderSettings more = settings;
+    PictureSettings more = settings;
     more.samples = 160;
     CHECK_THROWS_AS(render(sphere_scene(), desert(), more), NotPositiveDefinite);
     const Image image = render(sphere_scene(), desert(), settings);
@@ -207,7 +208,7 @@ TEST_CASE("one rule that meets a small sun or does not makes pictures of two kin
     const EnvironmentMap sun(1024, 512, rgb);
     double rmse[2];
     for (const std::uint64_t seed : {5u, 6u}) {
-        RenderSettings settings = settings_of(Method::rotated);
+        PictureSettings settings = settings_of(Method::rotated);
         settings.seed = seed;
         const Image image = render(sphere_scene(), sun, settings);
         const PictureJudgement judgement = judge_picture(written(image, true), sun, settings);

@@ -11,7 +11,7 @@ const Model rough{CovarianceFamily::sobolev, 1.5};
 const Model smooth{CovarianceFamily::squared_exponential, 1};
 
 std::vector<Integrand> radiance() {
-    return scene_integrands(std::make_shared<const EnvironmentMap>(built_in_environment()), 10);
+    return scene_integrands(std::make_shared<const EnvironmentMap>(load_environment()), 10);
 }
 
 std::vector<Examined> both(const std::vector<Integrand>& integrands, std::size_t sets) {

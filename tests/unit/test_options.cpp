@@ -37,17 +37,17 @@ TEST_CASE("model options make the covariance that they name") {
 }
 
 TEST_CASE("only a picture has a light that can be known") {
-    RenderSettings settings;
+    PictureSettings settings;
     CHECK_THROWS_AS(parse_model({"--known", "light"}, settings), UsageError);
     CHECK(parse({"--known", "light"}, RenderOptions(settings).process).empty());
-    CHECK(settings.known == KnownPart::light);
+    CHECK(settings.known_part() == Known::light);
     CHECK(parse({"--method", "mc", "--known", "light"},
                 joined({{RenderOptions(settings).method}, RenderOptions(settings).process}))
               .empty());
 }
 
 TEST_CASE("only a lattice of Monte Carlo has more than 4096 samples") {
-    RenderSettings settings;
+    PictureSettings settings;
     settings.samples = 4097;
     CHECK_THROWS_AS(require_possible(settings), UsageError);
     settings.method = Method::mc;
@@ -56,12 +56,14 @@ TEST_CASE("only a lattice of Monte Carlo has more than 4096 samples") {
     CHECK_NOTHROW(require_possible(settings));
 }
 
-TEST_CASE("Monte Carlo on a lattice predicts no error") {
-    RenderSettings settings;
+TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample") {
+    PictureSettings settings;
     settings.placement = Placement::fibonacci;
     CHECK_NOTHROW(require_predictable(settings));
     settings.method = Method::mc;
     CHECK_THROWS_AS(require_predictable(settings), UsageError);
     settings.placement = Placement::cosine;
     CHECK_NOTHROW(require_predictable(settings));
+    settings.samples = 1;
+    CHECK_THROWS_AS(require_predictable(settings), UsageError);
 }

@@ -21,12 +21,12 @@ CostSettings untimed(int size) {
 
 TEST_CASE("what a picture costs: the practice's three steps against error correlated between pixels" *
           doctest::test_suite("long")) {
-    const std::vector<PictureCost> rows = picture_costs(built_in_environment(), main_settings(), {10, 40}, untimed(32));
+    const std::vector<PictureCost> rows = picture_costs(load_environment(), main_settings(), {10, 40}, untimed(32));
     CHECK(rows.size() == 2 * main_settings().size());
     const auto find = [&](Method method, std::size_t pool, std::size_t samples) {
         for (const PictureCost& row : rows)
             if (row.settings.method == method && row.settings.pool == pool && row.settings.samples == samples &&
-                row.settings.placement == Placement::uniform && row.settings.known == KnownPart::nothing)
+                row.settings.placement == Placement::uniform && row.settings.known_part() == Known::nothing)
                 return row;
         throw std::runtime_error("no such row");
     };
@@ -56,11 +56,12 @@ TEST_CASE("a light that reaches no object is refused") {
 }
 
 TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds" * doctest::test_suite("long")) {
-    const EnvironmentMap light = built_in_environment();
-    RenderSettings settings = main_settings()[2];
+    const EnvironmentMap light = load_environment();
+    const PrefilteredEnvironment prefiltered(light);
+    PictureSettings settings = main_settings()[2];
     settings.width = settings.height = 129;
     settings.samples = 1;
-    const Truth truth = dense_truth(light, settings, 10000);
+    const Truth truth = dense_truth({light, &prefiltered}, settings, 10000);
     RootMeanSquare expected;
     for (settings.seed = 1; settings.seed <= 4; ++settings.seed)
         expected.add(image_error(render(sphere_scene(), light, settings), truth).rmse);

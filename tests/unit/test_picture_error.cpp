@@ -28,7 +28,7 @@ TEST_CASE("the error of an image: root mean square, neighbours' correlation and 
 }
 
 TEST_CASE("a million object pixels of the 500 x 500 picture are 166094 of 250000") {
-    CHECK(object_pixels(sphere_scene(), 500, 500) == 166094);
+    CHECK(object_pixels(sphere_scene(), {500, 500}) == 166094);
 }
 
 TEST_CASE("errors of at most two predicted ones lie within, colour by colour") {
@@ -36,5 +36,5 @@ TEST_CASE("errors of at most two predicted ones lie within, colour by colour") {
     image.set(0, 0, {1, -2, 3});
     image.set(1, 0, {9, 9, 9});
     predicted.set(0, 0, {1, 1, 1});
-    CHECK(share_within_two(image, {Image(2, 1), {true, false}}, predicted) == 2.0 / 3);
+    CHECK(coverage(image, {Image(2, 1), {true, false}}, predicted) == 2.0 / 3);
 }

@@ -109,10 +109,10 @@ TEST_CASE("a rectangle shadows what lies below it as well as what lies above") {
 }
 
 TEST_CASE("the pixels that show an object are counted") {
-    CHECK(object_pixels(sphere_scene(), 1, 1) == 1);  // its ray meets the sphere
+    CHECK(object_pixels(sphere_scene(), {1, 1}) == 1);  // its ray meets the sphere
     int hits = 0;
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 30; ++x) hits += intersect(sphere_scene(), Camera{30, 20}.ray(x, y)).has_value();
-    CHECK(object_pixels(sphere_scene(), 30, 20) == hits);
+    CHECK(object_pixels(sphere_scene(), {30, 20}) == hits);
     CHECK(hits < 600);
 }

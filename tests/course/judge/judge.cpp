@@ -9,7 +9,7 @@ namespace {
 struct Request {
     std::vector<std::string> files;  // "-": standard input
     std::string environment;         // empty: the built-in one
-    RenderSettings correct;          // what correct programs would do
+    PictureSettings correct;          // what correct programs would do
     bool help = false;
 };
 
@@ -33,18 +33,18 @@ Request parse(int argc, char** argv) {
 }
 
 std::string report(const std::string& file, const PictureFile& picture, const PictureJudgement& judgement) {
-    const std::string codes = picture.maxval > 0 ? line("codes to %d", picture.maxval) : "linear floats";
+    const std::string codes = picture.maxval > 0 ? formatted("codes to %d", picture.maxval) : "linear floats";
     std::string text =
-        "# " + file + line(": %d x %d pixels, %s\n", picture.image.width(), picture.image.height(), codes.c_str());
+        "# " + file + formatted(": %d x %d pixels, %s\n", picture.image.width(), picture.image.height(), codes.c_str());
     text += "# quantity       measured     expected       spread   accepted from and to\n";
     std::string outside;
     for (const Quantity& q : judgement.comparison.quantities) {
-        text += line("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.here, q.expected, q.spread, q.low,
+        text += formatted("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.here, q.expected, q.spread, q.low,
                      q.high);
         if (!q.fits()) outside += (outside.empty() ? "" : ", ") + q.name;
     }
     const Lag lag = lag_of(judgement.comparison.strangest);
-    text += line(
+    text += formatted(
         "# The block that errs most is around column %d, row %d; \"repeats\" is of pixels %d columns and %d rows "
         "apart.\n",
         judgement.block.x, judgement.block.y, lag.x, lag.y);

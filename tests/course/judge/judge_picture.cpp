@@ -71,7 +71,7 @@ Image unrounded(const PictureFile& picture, double offset) {
 }
 
 // The numbers of so many correct pictures of the settings, as a file with the largest code maxval keeps them.
-std::vector<Numbers> correct_numbers(RenderSettings settings, const Light& light, int maxval, const Truth& truth,
+std::vector<Numbers> correct_numbers(PictureSettings settings, const EnvironmentLight& light, int maxval, const Truth& truth,
                                      std::size_t count, const Progress& progress = nullptr) {
     if (settings.method == Method::direct) {  // a large pool has the same numbers, and is cheaper
         const double n = static_cast<double>(settings.samples);
@@ -80,39 +80,39 @@ std::vector<Numbers> correct_numbers(RenderSettings settings, const Light& light
     }
     std::vector<Numbers> numbers;
     for (settings.seed = first_seed; numbers.size() < count; ++settings.seed) {
-        numbers.push_back(numbers_of(stored(render(sphere_scene(), light, settings), maxval), truth));
+        numbers.push_back(numbers_of(stored(picture(sphere_scene(), light, settings), maxval), truth));
         if (progress) progress(static_cast<double>(numbers.size()) / static_cast<double>(count));
     }
     return numbers;
 }
 
 // A picture is then one sample.
-bool shares_one_rule(const RenderSettings& settings) {
+bool shares_one_rule(const PictureSettings& settings) {
     return settings.method == Method::single || settings.method == Method::rotated ||
            (settings.method == Method::mc && is_lattice(settings.placement));
 }
 
 // More is accepted for one rule, whose numbers have longer tails than normal ones.
-Comparison compared(const Numbers& here, const std::vector<Numbers>& correct, const RenderSettings& settings) {
+Comparison compared(const Numbers& here, const std::vector<Numbers>& correct, const PictureSettings& settings) {
     return compared(here, correct, shares_one_rule(settings) ? Accepted{6, 10} : Accepted{5, 6});
 }
 
 // The settings at the picture's size.
-RenderSettings sized(RenderSettings settings, const Image& picture) {
+PictureSettings sized(PictureSettings settings, const Image& picture) {
     settings.width = picture.width();
     settings.height = picture.height();
     settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    const double objects = object_pixels(sphere_scene(), settings.width, settings.height);
+    const double objects = object_pixels(sphere_scene(), {settings.width, settings.height});
     if (objects < 500)
-        throw std::invalid_argument(line("%d x %d pixels are too few to judge: %.0f show an object, 500 should",
+        throw std::invalid_argument(formatted("%d x %d pixels are too few to judge: %.0f show an object, 500 should",
                                          settings.width, settings.height, objects));
     return settings;
 }
 
 // The other methods, and the same with other numbers of samples: not where one rule serves all pixels, whose pictures
 // differ so much from seed to seed that another number explains nearly any.
-std::vector<RenderSettings> others(const RenderSettings& settings) {
-    std::vector<RenderSettings> all;
+std::vector<PictureSettings> others(const PictureSettings& settings) {
+    std::vector<PictureSettings> all;
     for (const auto& each : method_names) {
         all.push_back(settings);
         all.back().method = each.second;
@@ -128,7 +128,7 @@ std::vector<RenderSettings> others(const RenderSettings& settings) {
 // What makes such pictures: a factor, another method or number of samples, whichever correct pictures of are nearest,
 // if these would be accepted; or an empty text. numbers(settings, count): of so many correct pictures.
 template <class NumbersOf>
-std::string resembled(const Image& picture, const Truth& truth, const RenderSettings& settings,
+std::string resembled(const Image& picture, const Truth& truth, const PictureSettings& settings,
                       const std::vector<Numbers>& correct, NumbersOf numbers) {
     const Numbers here = numbers_of(picture, truth);
     std::string name;
@@ -144,9 +144,9 @@ std::string resembled(const Image& picture, const Truth& truth, const RenderSett
     const Image as_bright = image_of(settings.width, settings.height, [&](int x, int y) {
         return (truth.shows_object(x, y) ? 1 / factor : 1) * picture(x, y);
     });
-    consider(line("what shows an object is %.3g times as bright", factor) + (reason.empty() ? "" : ": " + reason),
+    consider(formatted("what shows an object is %.3g times as bright", factor) + (reason.empty() ? "" : ": " + reason),
              compared(numbers_of(as_bright, truth), correct, settings));
-    for (const RenderSettings& other : others(settings)) {
+    for (const PictureSettings& other : others(settings)) {
         try {
             const Comparison few = compared(here, numbers(other, 6), other);
             if (few["rmse"].fits() && few["brightness"].fits() && few["correlation"].fits())
@@ -162,7 +162,7 @@ std::string resembled(const Image& picture, const Truth& truth, const RenderSett
 std::string pattern(const Comparison& comparison) {
     const Lag lag = lag_of(comparison.strangest);
     if (comparison["repeats"].here > comparison["repeats"].high)
-        return line("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
+        return formatted("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
     if (comparison["rmse"].fits() && (comparison["alike"].here > comparison["alike"].high ||
                                       comparison["correlation"].here > comparison["correlation"].high))
         return "neighbouring pixels share random numbers, or rules that are not turned";
@@ -171,15 +171,16 @@ std::string pattern(const Comparison& comparison) {
 
 }  // namespace
 
-std::string options_of(const RenderSettings& settings) {
-    return line("--method %s --samples %zu", name_of(settings.method, method_names), settings.samples) +
-           (settings.method == Method::pool ? line(" --pool %zu", settings.pool) : "");
+std::string options_of(const PictureSettings& settings) {
+    return formatted("--method %s --samples %zu", name_of(settings.method, method_names), settings.samples) +
+           (settings.method == Method::pool ? formatted(" --pool %zu", settings.pool) : "");
 }
 
 PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap& environment,
-                               const RenderSettings& wanted, const Progress& progress) {
-    const RenderSettings settings = sized(wanted, picture.image);
-    const Light light(environment);
+                               const PictureSettings& wanted, const Progress& progress) {
+    const PictureSettings settings = sized(wanted, picture.image);
+    const PrefilteredEnvironment prefiltered(environment, settings.threads);
+    const EnvironmentLight light{environment, &prefiltered};
     const Truth dense = dense_truth(light, settings, dense_samples);
     const double white = picture.maxval > 0 ? 1 : HUGE_VAL;
     const Truth truth{each_channel(dense.image, [&](double v) { return std::min(v, white); }), dense.mask};
@@ -195,7 +196,7 @@ PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap&
     if (judgement.fits()) return judgement;
 
     const double rmse = judgement.comparison["rmse"].high;
-    const auto numbers = [&](const RenderSettings& other, std::size_t count) {
+    const auto numbers = [&](const PictureSettings& other, std::size_t count) {
         return correct_numbers(other, light, picture.maxval, truth, count);
     };
     if (!quantities[0].fits()) {

@@ -8,7 +8,7 @@
 #include <string>
 
 // The method, as one would type it.
-std::string options_of(const RenderSettings& settings);
+std::string options_of(const PictureSettings& settings);
 
 struct PictureJudgement {
     Comparison comparison;  // first "background", the fraction of its pixels that differ
@@ -21,4 +21,4 @@ struct PictureJudgement {
 // The picture against those of the settings, whose size and seed are not used. Throws std::invalid_argument if too few
 // pixels show an object, or the environment lights none.
 PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap& environment,
-                               const RenderSettings& settings, const Progress& progress = nullptr);
+                               const PictureSettings& settings, const Progress& progress = nullptr);

@@ -8,9 +8,9 @@
 
 // The texels that have a solid angle, which the last row and the last column of a map have not (a single one has).
 // Where there are too few of them, each is cut into equal pieces.
-class SolidTexels {
+class TexelsOnSphere {
 public:
-    SolidTexels(const EnvironmentMap& map, int min_columns, int min_rows)
+    TexelsOnSphere(const EnvironmentMap& map, int min_columns, int min_rows)
         : map_(map),
           across_(1 + (min_columns - 1) / std::max(1, map.width() - 1)),
           down_(1 + (min_rows - 1) / std::max(1, map.height() - 1)),
@@ -45,7 +45,7 @@ inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimut
 
 // A circle of latitude lies in the cap around a centre for the azimuths whose distance from the centre's has at least
 // this cosine: nowhere if it is 1 or more, everywhere if it is -1 or less.
-inline double cap_azimuth(double radius_cosine, portable::SineCosine centre, portable::SineCosine latitude) {
+inline double cosine_of_half_width(double radius_cosine, portable::SineCosine centre, portable::SineCosine latitude) {
     return (radius_cosine - centre.cosine * latitude.cosine) / (std::fabs(centre.sine) * latitude.sine);
 }
 

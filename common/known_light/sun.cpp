@@ -1,16 +1,16 @@
-#include "scene/sun.h"
+#include "known_light/sun.h"
 
 #include <algorithm>
 
-#include "scene/solid_texels.h"
+#include "known_light/texels_on_sphere.h"
 
 namespace {
 
-constexpr double bright = 100;  // times the mean
+constexpr double sun_threshold = 100;  // times the mean
 
 double brightness(Color c) { return c.x + c.y + c.z; }
 
-double all_light(const SolidTexels& texels) {
+double all_light(const TexelsOnSphere& texels) {
     double sum = 0;
     for (int row = 0; row < texels.rows(); ++row) {
         Color of_row;
@@ -30,9 +30,9 @@ std::uint64_t z_order(std::uint64_t row, std::uint64_t column) {
 
 }  // namespace
 
-Sun::Sun(const EnvironmentMap& map) : map_(map), all_(all_light(SolidTexels(map, 1, 1))) {
-    const SolidTexels texels(map, 1, 1);
-    const double least = bright * all_ / (4 * portable::pi);
+Sun::Sun(const EnvironmentMap& map) : map_(map), all_(all_light(TexelsOnSphere(map, 1, 1))) {
+    const TexelsOnSphere texels(map, 1, 1);
+    const double least = sun_threshold * all_ / (4 * portable::pi);
     for (int row = 0; row < texels.rows(); ++row)
         for (int column = 0; column < texels.columns(); ++column) {
             const Color light = texels(row, column);
@@ -52,11 +52,11 @@ const Sun::Ray& Sun::ray(double u) const {
     return after->ray;
 }
 
-EnvironmentMap Sun::without(bool sun) const {
+EnvironmentMap Sun::keep(Part part) const {
     const float* texels = map_.texels();
-    const std::size_t count = 3 * static_cast<std::size_t>(map_.width()) * static_cast<std::size_t>(map_.height());
-    std::vector<float> rgb = sun ? std::vector<float>(texels, texels + count) : std::vector<float>(count);
+    std::vector<float> sky(texels, texels + 3 * static_cast<std::ptrdiff_t>(map_.width()) * map_.height());
+    std::vector<float> sun(sky.size());
     for (const Texel& texel : texels_)
-        for (std::size_t i = 3 * texel.index; i < 3 * texel.index + 3; ++i) rgb[i] = sun ? 0 : texels[i];
-    return EnvironmentMap(map_.width(), map_.height(), std::move(rgb));
+        for (std::size_t i = 3 * texel.index; i < 3 * texel.index + 3; ++i) std::swap(sun[i], sky[i]);
+    return EnvironmentMap(map_.width(), map_.height(), std::move(part == Part::sun ? sun : sky));
 }

@@ -1,9 +1,9 @@
-#include "scene/irradiance_map.h"
+#include "known_light/irradiance_map.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "scene/solid_texels.h"
+#include "known_light/texels_on_sphere.h"
 
 namespace {
 
@@ -36,7 +36,7 @@ public:
     void end_band(SineCosine polar) {
         std::size_t reach[rows + 1];  // in columns
         for (std::size_t row = 0; row <= rows; ++row)
-            reach[row] = count_above(distances_, cap_azimuth(0, polar_[row], polar));
+            reach[row] = count_above(distances_, cosine_of_half_width(0, polar_[row], polar));
         float prefix[2 * columns + 1] = {};  // from half a turn before the first column to half a turn after the last
         for (std::size_t part = 0; part < parts; ++part) {
             double sum = 0;
@@ -88,7 +88,7 @@ IrradianceMap::IrradianceMap(const EnvironmentMap& environment) : grid_(columns 
     const float* const light = environment.texels();
     if (*std::max_element(light, light + 3 * environment.width() * environment.height()) > 1e36f)
         throw std::runtime_error("the environment is too bright to be known: a radiance exceeds 1e36");
-    const SolidTexels texels(environment, columns, rows);
+    const TexelsOnSphere texels(environment, columns, rows);
     std::vector<SineCosine> azimuths;
     for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(texels.azimuth(i));
     HemisphereIntegrals integrals;
@@ -108,7 +108,7 @@ IrradianceMap::IrradianceMap(const EnvironmentMap& environment) : grid_(columns 
 }
 
 Color IrradianceMap::operator()(Vec3 normal) const {
-    const double x = grid_.column(normal.x, normal.z), y = grid_.row(normal.y);
+    const double x = grid_.column_coordinate(normal.x, normal.z), y = grid_.row_coordinate(normal.y);
     const std::size_t column = std::min(static_cast<std::size_t>(x), columns - 1);
     const std::size_t row = std::min(static_cast<std::size_t>(y), rows - 1);
     const double right = x - static_cast<double>(column), down = y - static_cast<double>(row);

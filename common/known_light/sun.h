@@ -18,8 +18,8 @@ public:
     double share() const { return empty() ? 0 : texels_.back().light / all_; }
 
     // The map with nothing but the sun, or with all but the sun.
-    EnvironmentMap alone() const { return without(false); }
-    EnvironmentMap sky() const { return without(true); }
+    enum class Part { sun, sky };
+    EnvironmentMap keep(Part part) const;
 
     // To the middle of a texel, whose radiance has this colour.
     struct Ray {
@@ -31,8 +31,6 @@ public:
     const Ray& ray(double u) const;
 
 private:
-    EnvironmentMap without(bool sun) const;
-
     struct Texel {
         std::uint64_t order;  // Morton's
         std::size_t index;

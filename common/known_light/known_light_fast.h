@@ -1,0 +1,6 @@
+// The function visible_sky of known_light.h, faster and with the same bits.
+#pragma once
+
+#include "known_light/known_light.h"
+
+Color visible_sky_fast(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame);

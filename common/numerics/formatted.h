@@ -1,0 +1,13 @@
+// Text with numbers in it.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+// The text that printf would print, cut after 319 characters.
+template <class... Arguments>
+std::string formatted(const char* format, Arguments... arguments) {
+    char text[320];
+    std::snprintf(text, sizeof text, format, arguments...);
+    return text;
+}

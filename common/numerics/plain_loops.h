@@ -1,0 +1,5 @@
+// Whether the textbook's loops run where a fast twin of them exists (cholesky_fast, reflection_fast): renderer --plain.
+// They take longer and give the same bits.
+#pragma once
+
+inline bool plain_loops = false;

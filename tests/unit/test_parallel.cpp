@@ -1,0 +1,44 @@
+#include "scene/parallel.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+TEST_CASE("every row is computed once, whatever the number of threads, and progress ends at 1") {
+    for (const unsigned threads : {1u, 3u, 300u}) {
+        std::vector<int> calls(100);
+        double last = 0;
+        for_each_row(
+            100, threads, [&](int y) { ++calls[static_cast<std::size_t>(y)]; },
+            [&](double done) {
+                CHECK(done > last);
+                last = done;
+            });
+        CHECK(calls == std::vector<int>(100, 1));
+        CHECK(last == 1);
+    }
+}
+
+TEST_CASE("an exception of one row ends the others' work and reaches the caller") {
+    for (const unsigned threads : {1u, 2u}) {
+        std::atomic<int> calls{0};
+        const auto fail = [&](int y) {
+            ++calls;
+            if (y == 0) throw std::runtime_error("row 0");
+        };
+        CHECK_THROWS_WITH(for_each_row(1 << 28, threads, fail), "row 0");
+        CHECK(calls < 1 << 27);
+    }
+}
+
+TEST_CASE("the progress of a part grows from its beginning to its end") {
+    double told = 0;
+    const Progress part = part_of([&](double done) { told = done; }, 0.25, 0.75);
+    part(0.5);
+    CHECK(told == 0.5);
+    part(1);
+    CHECK(told == 0.75);
+    CHECK(!part_of(nullptr, 0, 1));
+}

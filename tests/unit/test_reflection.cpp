@@ -1,0 +1,79 @@
+#include "scene/reflection.h"
+
+#include "numerics/plain_loops.h"
+
+#include <doctest/doctest.h>
+
+#include "pictures.h"
+
+namespace {
+
+// Whether a picture has the same bytes by the textbook's loops and by the fast ones.
+bool twins_agree(const RenderSettings& settings, const EnvironmentMap& light, const Scene& scene = sphere_scene()) {
+    const std::string fast = to_pfm(render(scene, light, settings));
+    plain_loops = true;
+    const std::string plain = to_pfm(render(scene, light, settings));
+    plain_loops = false;
+    return fast == plain;
+}
+
+// What a pixel does is compared, so that a few processes are enough.
+RenderSettings few_pixels(Method method, std::size_t samples) {
+    RenderSettings settings = small(method, samples);
+    settings.pool = 3;
+    settings.width = 17;
+    settings.height = 13;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("the fast loops give the textbook's bytes for every method, placement and known part") {
+    for (const EnvironmentMap& light : {desert, load_environment("bright-desert")})
+        for (const Method method : all_methods)
+            for (const auto& placement : placement_names)
+                for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine}) {
+                    RenderSettings settings = few_pixels(method, 11);
+                    settings.placement = placement.second;
+                    settings.known = known;
+                    CAPTURE(placement.first);
+                    CHECK(twins_agree(settings, light));
+                }
+}
+
+// Loops take 8 rays at a time, and batches have 256.
+TEST_CASE("the fast loops give the textbook's bytes for every number of samples") {
+    for (const std::size_t samples : {1u, 2u, 7u, 8u, 9u, 15u, 16u, 17u, 255u, 256u, 257u, 511u, 512u, 513u})
+        for (const Method method : {Method::mc, Method::pool}) {
+            RenderSettings settings = few_pixels(method, samples);
+            if (samples > 100) settings.pool = 1;
+            CAPTURE(samples);
+            CHECK(twins_agree(settings, desert));
+        }
+    RenderSettings settings = few_pixels(Method::mc, 9000);
+    settings.placement = Placement::fibonacci;
+    CHECK(twins_agree(settings, desert));
+}
+
+TEST_CASE("the fast loops give the textbook's bytes for maps of any size and a sphere in the rectangle's shadow") {
+    Scene under = sphere_scene();
+    under.sphere.radius = 0.8;
+    under.rectangle.y = 1.2;
+    for (const auto& [width, height] : {std::pair(1, 1), {2, 1}, {1, 2}, {3, 5}, {64, 33}}) {
+        std::vector<float> rgb;
+        for (int i = 0; i < 3 * width * height; ++i) rgb.push_back(static_cast<float>(i % 7));
+        for (const Scene& scene : {sphere_scene(), under})
+            CHECK(twins_agree(few_pixels(Method::rotated, 20), EnvironmentMap(width, height, rgb), scene));
+    }
+}
+
+TEST_CASE("after the directions of a rule stand eight zeros, which loops may read") {
+    CosineRule rule;
+    for (int n = 0; n < 3; ++n) {
+        for (const std::vector<float>* component : {&rule.x, &rule.y, &rule.z}) {
+            REQUIRE(component->size() == rule.size() + 8);
+            for (std::size_t i = rule.size(); i < component->size(); ++i) CHECK((*component)[i] == 0);
+        }
+        rule.add({0.6, 0.8, 1}, 1);
+    }
+}
