@@ -43,7 +43,7 @@ void require_closed_form(const ModelSettings& settings) {
     }
 }
 
-RenderOptions::RenderOptions(PictureSettings& s)
+RenderOptions::RenderOptions(RenderSettings& s)
     : ModelOptions(s),
       method(choice_option("method", "", method_names, s.method)),
       samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_lattice_samples)),
@@ -51,27 +51,12 @@ RenderOptions::RenderOptions(PictureSettings& s)
                       count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
     for (Option& option : process) option = idle_while(no_process, option);
-    of_process("known") = {"known", "NAME",
-                           "part of the integrand: " + choices(known_names, s.known_part()) +
-                               "; the last two for sobolev with smoothness 1.5",
-                           [&s](const std::string& text) { s.set_known(parse_choice(text, known_names)); },
-                           [&s, no_process] { return s.light_known ? "" : no_process(); }};
 }
 
-void require_possible(const PictureSettings& settings) {
+void require_possible(const RenderSettings& settings) {
     const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
     if (!one_lattice && settings.samples > max_process_samples)
         throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
                          std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
     require_closed_form(settings);
-}
-
-void require_predictable(const PictureSettings& settings) {
-    const bool mc = settings.method == Method::mc;
-    if (mc && is_lattice(settings.placement))
-        throw UsageError(
-            "--method mc predicts no error on a lattice, whose samples do not differ as independent ones do; take "
-            "--placement uniform or cosine, or another method");
-    if (settings.samples == 1 && (mc || settings.light_known))
-        throw UsageError("--samples: 1 says nothing of the error of its mean; take 2 or more");
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command_line.h"
-#include "known_light/picture.h"
+#include "scene/render.h"
 
 #include <vector>
 
@@ -27,10 +27,8 @@ void require_closed_form(const ModelSettings& settings);
 struct RenderOptions : ModelOptions {
     Option method, samples, pool;
 
-    explicit RenderOptions(PictureSettings& settings);
+    explicit RenderOptions(RenderSettings& settings);
 };
 
-// Throw UsageError for settings that no picture can be rendered by, and for those whose samples say nothing of its
-// error.
-void require_possible(const PictureSettings& settings);
-void require_predictable(const PictureSettings& settings);
+// Throws UsageError for settings that no picture can be rendered by.
+void require_possible(const RenderSettings& settings);

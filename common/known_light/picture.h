@@ -16,6 +16,7 @@ constexpr std::pair<const char*, Known> known_names[] = {
 struct PictureSettings : RenderSettings {
     bool light_known = false;
     Show show = Show::picture;
+    double rmse = 0;  // that is asked for, predicted; 0: the number of samples is given
 
     void set_known(Known part);
     Known known_part() const;

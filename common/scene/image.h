@@ -42,6 +42,9 @@ Image image_of(int width, int height, Pixel pixel) {
 // The linear value in [0, 1] of a code in [0, 1]: the inverse of the sRGB transfer function (IEC 61966-2-1).
 double srgb_decoded(double code);
 
+enum class Format { ppm, pfm };
+constexpr std::pair<const char*, Format> format_names[] = {{"ppm", Format::ppm}, {"pfm", Format::pfm}};
+
 // Binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].
 std::string to_ppm(const Image& image);
 

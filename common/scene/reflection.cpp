@@ -3,14 +3,6 @@
 #include "numerics/plain_loops.h"
 #include "scene/reflection_fast.h"
 
-void CosineRule::add(Vec3 direction, double weight) {
-    const auto end = static_cast<std::ptrdiff_t>(size());
-    x.insert(x.begin() + end, static_cast<float>(direction.x));
-    y.insert(y.begin() + end, static_cast<float>(direction.y));
-    z.insert(z.begin() + end, static_cast<float>(direction.z));
-    weights.push_back(weight);
-}
-
 // BEGIN SOLUTION shade
 // The cosine belongs to the weights unless it is the rule's known part, which its weights have in them.
 CosineRule cosine_rule(const QuadratureRule& rule) {

@@ -19,7 +19,14 @@ struct CosineRule {
 
     std::size_t size() const { return weights.size(); }
     Direction direction(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    void add(Vec3 direction, double weight);
+
+    void add(Vec3 direction, double weight) {
+        const auto end = static_cast<std::ptrdiff_t>(size());
+        x.insert(x.begin() + end, static_cast<float>(direction.x));
+        y.insert(y.begin() + end, static_cast<float>(direction.y));
+        z.insert(z.begin() + end, static_cast<float>(direction.z));
+        weights.push_back(weight);
+    }
 };
 
 CosineRule cosine_rule(const QuadratureRule& rule);

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "known_light/picture_options.h"
 
 #include <doctest/doctest.h>
 #include "parsed_words.h"
@@ -39,10 +39,10 @@ TEST_CASE("model options make the covariance that they name") {
 TEST_CASE("only a picture has a light that can be known") {
     PictureSettings settings;
     CHECK_THROWS_AS(parse_model({"--known", "light"}, settings), UsageError);
-    CHECK(parse({"--known", "light"}, RenderOptions(settings).process).empty());
+    CHECK(parse({"--known", "light"}, PictureOptions(settings).process).empty());
     CHECK(settings.known_part() == Known::light);
     CHECK(parse({"--method", "mc", "--known", "light"},
-                joined({{RenderOptions(settings).method}, RenderOptions(settings).process}))
+                joined({{PictureOptions(settings).method}, PictureOptions(settings).process}))
               .empty());
 }
 
@@ -56,14 +56,19 @@ TEST_CASE("only a lattice of Monte Carlo has more than 4096 samples") {
     CHECK_NOTHROW(require_possible(settings));
 }
 
-TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample") {
+TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample, which only those are told who ask") {
     PictureSettings settings;
+    settings.method = Method::mc;
     settings.placement = Placement::fibonacci;
     CHECK_NOTHROW(require_predictable(settings));
-    settings.method = Method::mc;
+    settings.show = Show::error;
     CHECK_THROWS_AS(require_predictable(settings), UsageError);
     settings.placement = Placement::cosine;
     CHECK_NOTHROW(require_predictable(settings));
     settings.samples = 1;
+    CHECK_THROWS_AS(require_predictable(settings), UsageError);
+    settings.method = Method::pool;
+    CHECK_NOTHROW(require_predictable(settings));
+    settings.set_known(Known::light);
     CHECK_THROWS_AS(require_predictable(settings), UsageError);
 }

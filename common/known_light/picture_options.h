@@ -1,0 +1,21 @@
+// The options of a picture that go beyond the practice, and the picture that they ask for.
+#pragma once
+
+#include "known_light/picture.h"
+#include "options.h"
+
+// Monte Carlo takes one of a process's options: that the light is known.
+struct PictureOptions : RenderOptions {
+    Option rmse, show;
+
+    explicit PictureOptions(PictureSettings& settings);
+};
+
+// Throws UsageError where errors are asked for and the settings' samples say nothing of them.
+void require_predictable(const PictureSettings& settings);
+
+// The picture of the sphere scene under the environment, for a file of this format. What it predicts is told on stderr
+// if it is asked for; in a PPM errors are grey, twice their root mean square white. Throws as picture and samples_for
+// do.
+Image asked_picture(const EnvironmentMap& environment, PictureSettings settings, Format format,
+                    const Progress& progress);
