@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+Random pixel_stream(const RenderSettings& settings, int x, int y) {
+    return {settings.seed,
+            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
+}
+
 PixelRules::PixelRules(const RenderSettings& settings, const PrefilteredEnvironment* averages)
     : settings_(settings),
       averages_(averages),

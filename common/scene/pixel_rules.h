@@ -41,10 +41,7 @@ inline bool predicts_error(const RenderSettings& settings) {
 }
 
 // Every pixel draws from a stream of its own.
-inline Random pixel_stream(const RenderSettings& settings, int x, int y) {
-    return {settings.seed,
-            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
-}
+Random pixel_stream(const RenderSettings& settings, int x, int y);
 
 // The directions of a pixel before they are carried to its surface, and what they count.
 struct PixelRule {

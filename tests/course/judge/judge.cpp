@@ -32,39 +32,42 @@ Request parse(int argc, char** argv) {
     return request;
 }
 
-std::string report(const std::string& file, const PictureFile& picture, const PictureJudgement& judgement) {
-    const std::string codes = picture.maxval > 0 ? line("codes to %d", picture.maxval) : "linear floats";
-    std::string text =
-        "# " + file + line(": %d x %d pixels, %s\n", picture.image.width(), picture.image.height(), codes.c_str());
-    text += "# quantity       measured     expected       spread   accepted from and to\n";
+std::string report(const std::string& file, const PictureFile& picture, const Judgement& judgement) {
+    const Image& image = picture.image;
+    std::string text = "# " + file + line(": %d x %d pixels, ", image.width(), image.height()) +
+                       (picture.maxval > 0 ? line("codes to %d\n", picture.maxval) : "linear floats\n") +
+                       "# quantity       measured     expected   accepted from and to\n";
     std::string outside;
     for (const Quantity& q : judgement.comparison.quantities) {
-        text += line("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.here, q.expected, q.spread, q.low,
-                     q.high);
+        text += line("%-12s %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.measured, q.expected, q.low, q.high);
         if (!q.fits()) outside += (outside.empty() ? "" : ", ") + q.name;
     }
-    const Lag lag = lag_of(judgement.comparison.strangest);
+    const Lag lag = lag_of(judgement.comparison.most_deviating_lag);
     text += line(
         "# The block that errs most is around column %d, row %d; \"repeats\" is of pixels %d columns and %d rows "
         "apart.\n",
         judgement.block.x, judgement.block.y, lag.x, lag.y);
-    if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
-    return text + "# Verdict: not what correct programs do, by " + outside +
-           (judgement.mistake.empty() ? "" : "; likely: " + judgement.mistake) + ".\n";
+    if (judgement.comparison.fits()) return text + "# Verdict: within what correct programs do.\n";
+    return text + "# Verdict: not what correct programs do, by " + outside + (judgement.reason.empty() ? "" : "; ") +
+           judgement.reason + ".\n";
 }
 
 Outcome run(Request request) {
     if (request.help)
         return "usage: build/judge FILE... [options]     pictures of one program: PPM or PFM (-: standard input)\n\n" +
                describe(options(request));
-    const EnvironmentMap light = load_environment(request.environment);
+    const EnvironmentMap environment = load_environment(request.environment);
+    const Light light(environment);
+    std::optional<Expected> expected;
     Outcome outcome("");
     for (const std::string& file : request.files) {
         std::optional<PictureFile> picture;
         read_input(file, [&](std::istream& in) { picture = read_picture(in); });
-        const PictureJudgement judgement = judge_picture(*picture, light, request.correct, terminal_progress("judge"));
+        if (!expected || !expected->serves(*picture))
+            expected = expect(light, request.correct, *picture, terminal_progress("judge"));
+        const Judgement judgement = judge(*picture, *expected);
         outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *picture, judgement);
-        if (!judgement.fits()) outcome.status = 1;
+        if (!judgement.comparison.fits()) outcome.status = 1;
     }
     return outcome;
 }
