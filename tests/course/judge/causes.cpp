@@ -35,11 +35,9 @@ std::array<Color, 4> wrong_ratios(const Hit& hit, const EnvironmentMap& environm
     return wrong;
 }
 
-// The truth with another light where pixels do, or do not, show an object.
-Truth times(double factor, const Truth& truth, bool object) {
-    const auto pixel = [&](int x, int y) {
-        return (truth.shows_object(x, y) == object ? factor : 1) * truth.image(x, y);
-    };
+// The truth with so many times the light of objects and of the background.
+Truth times(double objects, double rest, const Truth& truth) {
+    const auto pixel = [&](int x, int y) { return (truth.shows_object(x, y) ? objects : rest) * truth.image(x, y); };
     return {image_of(truth.image.width(), truth.image.height(), pixel), truth.mask};
 }
 
@@ -67,7 +65,7 @@ void explain_whole(const Image& picture, const Truth& truth, int maxval, const C
         encode("encoded by a gamma of 2.2 in place of the sRGB curve",
                [](double v) { return srgb_decoded(portable::pow(v, 1 / 2.2)); });
     }
-    consider({"the background is black", picture, times(0, truth, false)});
+    consider({"the background is black", picture, times(1, 0, truth)});
 }
 
 void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
@@ -82,15 +80,12 @@ void explain_objects(const Image& picture, const Truth& truth, const Environment
             const auto ratios = wrong_ratios(*hit, environment, directions, 0.618 * (y * camera.width + x));
             for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i].image.set(x, y, ratios[i] * truth.image(x, y));
         }
-    bool found = consider({"the objects are black", picture, times(0, truth, true)});
-    for (std::size_t i = 0; i < wrong.size(); ++i) found |= consider({wrong_integrands[i], picture, wrong[i]});
-    const auto consider_factor = [&](double factor, const std::string& reason) {
-        return consider(
-            {line("one factor for all objects, %.3g", factor) + reason, picture, times(factor, truth, true)});
-    };
+    for (std::size_t i = 0; i < wrong.size(); ++i) consider({wrong_integrands[i], picture, wrong[i]});
     const double n = static_cast<double>(samples);
-    std::vector<Factor> all{{"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}};
+    std::vector<Factor> all{
+        {"nothing is added up", 0}, {"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}};
     all.insert(all.end(), std::begin(factors), std::end(factors));
-    for (const Factor& each : all) found |= consider_factor(each.factor, ": perhaps " + std::string(each.name));
-    if (!found) consider_factor(1 + image_error(picture, truth).brightness, "");
+    for (const auto& [reason, factor] : all)
+        consider(
+            {line("one factor for all objects, %.3g: perhaps %s", factor, reason), picture, times(factor, 1, truth)});
 }

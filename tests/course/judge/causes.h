@@ -13,12 +13,12 @@ struct Explanation {
     Image picture;
     Truth truth;
 };
-using Consider = std::function<bool(const Explanation&)>;  // whether it explains the picture
+using Consider = std::function<void(const Explanation&)>;
 
 // Calls consider with the explanations that change the background too: pixels in the wrong place, colours, transfer
 // functions. maxval is that of the picture's file.
 void explain_whole(const Image& picture, const Truth& truth, int maxval, const Consider& consider);
 
-// The same for those that change objects only, in pictures with so many samples a pixel; if none does, any factor.
+// The same for those that change objects only, in pictures with so many samples a pixel.
 void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
                      const Consider& consider);

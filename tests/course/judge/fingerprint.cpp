@@ -86,8 +86,8 @@ std::vector<double> part_errors(const Image& picture, const Truth& truth) {
     Color errors[2], light[2];
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
-            if (!truth.shows_object(x, y)) continue;
             const auto hit = intersect(scene, camera.ray(x, y));
+            if (!hit) continue;
             const std::size_t part = hit->object == Object::sphere ? 0 : 1;
             errors[part] += picture(x, y) - truth.image(x, y);
             light[part] += truth.image(x, y);

@@ -12,7 +12,8 @@
 // mean error of each colour on the sphere and on the rectangle, over its mean light. Then for each lag, how much more
 // the errors of pixels so far apart are correlated than those of neighbours.
 using Fingerprint = std::vector<double>;
-constexpr std::size_t rmse_number = 0, block_number = 4, first_part = 5, first_lag = first_part + 6;
+constexpr std::size_t rmse_number = 0, brightness_number = 1, block_number = 4, first_part = 5,
+                      first_lag = first_part + 6;
 
 Fingerprint fingerprint(const Image& picture, const Truth& truth);
 

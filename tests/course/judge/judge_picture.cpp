@@ -17,8 +17,6 @@ constexpr std::size_t dense_samples = 2000;
 constexpr std::uint64_t first_seed = 1000000;
 constexpr std::size_t seeds = 40;
 
-constexpr const char* colours[] = {"red", "green", "blue"};
-
 // What a picture shows where it shows no object: the environment, without noise.
 struct Background {
     double differing;  // fraction of the pixels with a code off by more than 1.5
@@ -121,10 +119,9 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
         const bool is_near = is_as_bright(measured, expected, 1.5) &&
                              measured[rmse_number] <= share * beside["rmse"].high &&
                              measured[block_number] <= share * beside["block"].high;
-        if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return false;
+        if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return;
         least = 0.98 * measured[rmse_number];
         cause = explanation.cause;
-        return true;
     };
     for (const Truth& truth : expected.truths)
         if (is_proof) explain_whole(picture.image, truth, picture.maxval, consider);
@@ -146,31 +143,34 @@ std::string pattern_of(const View& view, const Comparison& beside) {
     return "";
 }
 
-// The part of the picture that deviates most, and its colours that do so half as much, or an empty text.
-std::string place_of(const View& view, const Expected& expected) {
+// Where the picture errs: its background; all objects alike; or the part that deviates most, and its colours that do so
+// half as much. An empty text if it does so nowhere more than correct pictures.
+std::string place_of(const View& view, const Expected& expected, const Comparison& beside) {
     if (!view.background.fits())
         return line("it errs most in the background, of which %.3g %% differ", 100 * view.background.differing);
     if (is_as_bright(view.fingerprint, expected)) return "";
+    const auto in_words = [](double error) {
+        return line("%.0f %% too %s", 100 * std::fabs(error), error < 0 ? "dark" : "bright");
+    };
+    Fingerprint relative = view.fingerprint;  // to the brightness of all objects
+    for (std::size_t i = first_part; i < first_lag; ++i)
+        relative[i] = (1 + relative[i]) / (1 + relative[brightness_number]) - 1;
+    if (!beside["brightness"].fits() && is_as_bright(relative, expected))
+        return "it errs on all objects alike: " + in_words(relative[brightness_number]);
     const auto deviates = [&](std::size_t i) { return deviation(view.fingerprint, expected.correct, i); };
     std::size_t most = first_part;
     for (std::size_t i = first_part; i < first_lag; ++i)
         if (std::fabs(deviates(i)) > std::fabs(deviates(most))) most = i;
     const std::size_t part = (most - first_part) / 3;
+    std::size_t i = first_part + 3 * part;
     std::string names;
-    for (std::size_t k = 0; k < 3; ++k)
-        if (deviates(first_part + 3 * part + k) / deviates(most) > 0.5)
-            names += (names.empty() ? "" : ", ") + std::string(colours[k]);
-    const double error = view.fingerprint[most];
-    return line("it errs most on the %s: %s %.0f %% too %s", part == 0 ? "sphere" : "rectangle", names.c_str(),
-                100 * std::fabs(error), error < 0 ? "dark" : "bright");
+    for (const char* name : {"red", "green", "blue"})
+        if (deviates(i++) / deviates(most) > 0.5) names += (names.empty() ? "" : ", ") + std::string(name);
+    return std::string("it errs most on the ") + (part == 0 ? "sphere: " : "rectangle: ") + names + ' ' +
+           in_words(view.fingerprint[most]);
 }
 
 }  // namespace
-
-bool Expected::serves(const PictureFile& picture) const {
-    return maxval == picture.maxval && settings.width == picture.image.width() &&
-           settings.height == picture.image.height();
-}
 
 Expected expect(const Light& light, RenderSettings settings, const PictureFile& picture, const Progress& progress) {
     const Camera camera{picture.image.width(), picture.image.height()};
@@ -205,6 +205,6 @@ Judgement judge(const PictureFile& picture, const Expected& expected) {
     if (comparison.fits()) return judgement;
     std::string cause = pattern_of(view, comparison);
     if (cause.empty()) cause = cause_of(picture, view, expected, comparison);
-    judgement.reason = cause.empty() ? place_of(view, expected) : "likely: " + cause;
+    judgement.reason = cause.empty() ? place_of(view, expected, comparison) : "likely: " + cause;
     return judgement;
 }

@@ -15,7 +15,9 @@ struct Expected {
     const EnvironmentMap* environment;
     std::vector<Fingerprint> correct;
 
-    bool serves(const PictureFile& picture) const;
+    bool serves(const PictureFile& file) const {
+        return maxval == file.maxval && settings.width == file.image.width() && settings.height == file.image.height();
+    }
 };
 
 // For files like this picture's, under a light that must outlive it, by programs with these settings, whose size and
