@@ -101,8 +101,9 @@ std::vector<Table> parse_tables(const Lines& reference, const Lines& actual, dou
 
 // What makes results so many times as large, in brackets, if it is known.
 std::string reason(double ratio) {
-    const std::string name = factor_name(ratio, 0.005);
-    return name.empty() ? "" : " (" + name + ")";
+    for (const Factor& each : factors)
+        if (std::fabs(ratio / each.factor - 1) <= 0.005) return std::string(" (") + each.name + ")";
+    return "";
 }
 
 // The one number that these are of their references; 0 if there is none.

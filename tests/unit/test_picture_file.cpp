@@ -43,10 +43,10 @@ TEST_CASE("what to_ppm and to_pfm write is read: codes exactly, floats exactly")
     const PictureFile ppm = read(to_ppm(example())), pfm = read(to_pfm(example()));
     CHECK(ppm.maxval == 255);
     CHECK(to_ppm(ppm.image) == to_ppm(example()));
-    CHECK(equal(ppm.image, stored(example(), 255)));
+    CHECK(equal(ppm.image, as_stored(example(), 255)));
     CHECK(pfm.maxval == 0);
     CHECK(equal(pfm.image, example()));
-    CHECK(equal(stored(example(), 0), example()));
+    CHECK(equal(as_stored(example(), 0), example()));
 }
 
 TEST_CASE("sRGB is decoded as it is encoded: every code comes back, for any largest code") {

@@ -1,20 +1,22 @@
 // Whether pictures of the sphere scene that other programs made are right: each beside correct ones of other seeds.
 #include "judge_picture.h"
-#include "options.h"
+#include "known_light/picture_options.h"
 #include "scene/desert.h"
 #include "scene/input.h"
+
+#include <thread>
 
 namespace {
 
 struct Request {
     std::vector<std::string> files;  // "-": standard input
-    std::string environment;         // empty: the built-in one
-    PictureSettings correct;          // what correct programs would do
+    std::string environment = built_in_lights[0];
+    PictureSettings correct;  // what correct programs would do
     bool help = false;
 };
 
 std::vector<Option> options(Request& request) {
-    const RenderOptions of_picture(request.correct);
+    const PictureOptions of_picture(request.correct);
     return joined({{of_picture.method, of_picture.samples, of_picture.pool, of_picture.placement},
                    of_picture.process,
                    {name_option("environment", "FILE", "the pictures' light: a Radiance .hdr file, or bright-desert",
@@ -32,39 +34,43 @@ Request parse(int argc, char** argv) {
     return request;
 }
 
-std::string report(const std::string& file, const PictureFile& picture, const PictureJudgement& judgement) {
-    const std::string codes = picture.maxval > 0 ? formatted("codes to %d", picture.maxval) : "linear floats";
-    std::string text =
-        "# " + file + formatted(": %d x %d pixels, %s\n", picture.image.width(), picture.image.height(), codes.c_str());
-    text += "# quantity       measured     expected       spread   accepted from and to\n";
+std::string report(const std::string& file, const PictureFile& picture, const Judgement& judgement) {
+    const Image& image = picture.image;
+    std::string text = "# " + file + formatted(": %d x %d pixels, ", image.width(), image.height()) +
+                       (picture.maxval > 0 ? formatted("codes to %d\n", picture.maxval) : "linear floats\n") +
+                       "# quantity       measured     expected   accepted from and to\n";
     std::string outside;
     for (const Quantity& q : judgement.comparison.quantities) {
-        text += formatted("%-12s %12.5g %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.here, q.expected, q.spread, q.low,
-                     q.high);
+        text += formatted("%-12s %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.measured, q.expected, q.low, q.high);
         if (!q.fits()) outside += (outside.empty() ? "" : ", ") + q.name;
     }
-    const Lag lag = lag_of(judgement.comparison.strangest);
+    const Lag lag = lag_of(judgement.comparison.most_deviating_lag);
     text += formatted(
         "# The block that errs most is around column %d, row %d; \"repeats\" is of pixels %d columns and %d rows "
         "apart.\n",
         judgement.block.x, judgement.block.y, lag.x, lag.y);
-    if (judgement.fits()) return text + "# Verdict: within what correct programs do.\n";
-    return text + "# Verdict: not what correct programs do, by " + outside +
-           (judgement.mistake.empty() ? "" : "; likely: " + judgement.mistake) + ".\n";
+    if (judgement.comparison.fits()) return text + "# Verdict: within what correct programs do.\n";
+    return text + "# Verdict: not what correct programs do, by " + outside + (judgement.reason.empty() ? "" : "; ") +
+           judgement.reason + ".\n";
 }
 
 Outcome run(Request request) {
     if (request.help)
         return "usage: build/judge FILE... [options]     pictures of one program: PPM or PFM (-: standard input)\n\n" +
                describe(options(request));
-    const EnvironmentMap light = load_environment(request.environment);
+    const EnvironmentMap environment = load_environment(request.environment);
+    const PrefilteredEnvironment prefiltered(environment, std::max(1u, std::thread::hardware_concurrency()));
+    const EnvironmentLight light{environment, &prefiltered};
+    std::optional<Expected> expected;
     Outcome outcome("");
     for (const std::string& file : request.files) {
         std::optional<PictureFile> picture;
         read_input(file, [&](std::istream& in) { picture = read_picture(in); });
-        const PictureJudgement judgement = judge_picture(*picture, light, request.correct, terminal_progress("judge"));
+        if (!expected || !expected->serves(*picture))
+            expected = expect(light, request.correct, *picture, terminal_progress("judge"));
+        const Judgement judgement = judge(*picture, *expected);
         outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *picture, judgement);
-        if (!judgement.fits()) outcome.status = 1;
+        if (!judgement.comparison.fits()) outcome.status = 1;
     }
     return outcome;
 }

@@ -6,8 +6,6 @@
 #include <thread>
 
 #include "command_line.h"
-#include "likely_mistakes.h"
-#include "mistaken_pictures.h"
 
 namespace {
 
@@ -19,192 +17,196 @@ constexpr std::size_t dense_samples = 2000;
 constexpr std::uint64_t first_seed = 1000000;
 constexpr std::size_t seeds = 40;
 
-// What a picture shows where it shows no object: the environment, without noise. Of floats, 128 values to the largest
-// channel of a pixel count as codes: radiance in a Radiance picture has no more.
+// What a picture shows where it shows no object: the environment, without noise.
 struct Background {
     double differing;  // fraction of the pixels with a code off by more than 1.5
     double accepted;   // of that fraction
-    double offset;     // mean of what the others lack: 1/2 where a program rounds down; 0 for floats
+    double offset;     // 1/2 where the program rounds codes down, otherwise 0
+
+    bool fits() const { return differing <= accepted; }
 };
 
-Background background_beside(const Truth& expected, const PictureFile& picture) {
-    const int maxval = picture.maxval;
-    double count = 0, differing = 0, channels = 0, lacking = 0;
-    for (std::size_t i = 0; i < picture.image.size(); ++i) {
-        if (expected.mask[i]) continue;
-        const Color here = picture.image[i], right = expected.image[i];
+// Of floats, 128 values to the largest channel of a pixel count as codes: radiance in a Radiance picture has no more.
+Background background_of(const Image& picture, const Truth& truth, int maxval) {
+    double count = 0, differing = 0, down = 0;
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        if (truth.mask[i]) continue;
+        const Color measured = picture[i], right = truth.image[i];
         const double largest = std::max({right.x, right.y, right.z, 1e-6});
         bool differs = false;
-        for (const auto& [a, b] : {std::pair(here.x, right.x), {here.y, right.y}, {here.z, right.z}}) {
+        for (const auto channel : {&Color::x, &Color::y, &Color::z}) {
+            const double a = measured.*channel, b = right.*channel;
             const double missing = maxval > 0 ? maxval * (srgb_encoded(b) - srgb_encoded(a)) : 128 * (b - a) / largest;
             differs = differs || !(std::fabs(missing) <= 1.5);
-            if (std::fabs(missing) > 1.5 || b >= 1) continue;
-            lacking += missing;
-            channels += 1;
+            if (b < 1 && std::fabs(missing) < 1) down += missing > 0.5 ? 1 : missing < 0 ? -1 : 0;
         }
         differing += differs;
         count += 1;
     }
     count = std::max(1.0, count);
-    return {differing / count, std::max(0.001, 2 / count), channels > 100 && maxval > 0 ? lacking / channels : 0};
-}
-
-// Against the environment interpolated, as the truth has it, or its single texels, as the practice's lookup gives:
-// whichever the picture is closer to.
-Background background_of(const PictureFile& picture, const Truth& truth, const EnvironmentMap& environment) {
-    const Camera camera{truth.image.width(), truth.image.height()};
-    const auto texel = [&](int x, int y) { return environment.radiance(camera.ray(x, y).direction); };
-    const Background interpolated = background_beside(truth, picture),
-                     texels = background_beside({image_of(camera.width, camera.height, texel), truth.mask}, picture);
-    return texels.differing < interpolated.differing ? texels : interpolated;
+    return {differing / count, std::max(0.001, 2 / count), maxval > 0 && down > 0 ? 0.5 : 0};
 }
 
 // A picture of codes as it was before its program rounded it in its own way.
-Image unrounded(const PictureFile& picture, double offset) {
-    const int maxval = picture.maxval;
-    if (maxval == 0) return picture.image;
-    return each_channel(picture.image, [&](double linear) {
+Image undo_rounding(const Image& picture, int maxval, double offset) {
+    if (offset == 0) return picture;
+    return each_channel(picture, [&](double linear) {
         const double code = maxval * srgb_encoded(linear);
-        if (code < 0.5 || code > maxval - 0.5) return linear;
-        return srgb_decoded(std::max(0.0, code + offset) / maxval);
+        return code < 0.5 || code > maxval - 0.5 ? linear : srgb_decoded((code + offset) / maxval);
     });
 }
 
-// The numbers of so many correct pictures of the settings, as a file with the largest code maxval keeps them.
-std::vector<Numbers> correct_numbers(PictureSettings settings, const EnvironmentLight& light, int maxval, const Truth& truth,
-                                     std::size_t count, const Progress& progress = nullptr) {
+// A picture beside what its file can hold of a truth.
+struct View {
+    const Truth* truth;
+    Background background;
+    Fingerprint fingerprint;
+    BlockError block;
+    double light;  // root mean square of the truth
+};
+View view_of(const Image& picture, const Truth& whole, int maxval) {
+    const auto hold = [&](double v) { return maxval > 0 ? std::min(v, 1.0) : v; };
+    const Truth truth{each_channel(whole.image, hold), whole.mask};
+    const Background background = background_of(picture, truth, maxval);
+    const Image image = undo_rounding(picture, maxval, background.offset);
+    return {&whole, background, fingerprint(image, truth), largest_block_error(image, truth),
+            image_error(Image(image.width(), image.height()), truth).rmse};
+}
+
+// The fingerprints of correct pictures in files of this kind.
+std::vector<Fingerprint> correct_fingerprints(const EnvironmentLight& light, const Expected& expected,
+                                              const Progress& progress) {
+    PictureSettings settings = expected.settings;
     if (settings.method == Method::direct) {  // a large pool has the same numbers, and is cheaper
         const double n = static_cast<double>(settings.samples);
         settings.method = Method::pool;
         settings.pool = static_cast<std::size_t>(std::clamp(1e8 / (n * n * n), 50.0, 500.0));
     }
-    std::vector<Numbers> numbers;
-    for (settings.seed = first_seed; numbers.size() < count; ++settings.seed) {
-        numbers.push_back(numbers_of(stored(picture(sphere_scene(), light, settings), maxval), truth));
-        if (progress) progress(static_cast<double>(numbers.size()) / static_cast<double>(count));
+    std::vector<Fingerprint> correct;
+    for (; correct.size() < seeds; ++settings.seed) {
+        const Image stored = as_stored(picture(sphere_scene(), light, settings), expected.maxval);
+        correct.push_back(view_of(stored, expected.truths[0], expected.maxval).fingerprint);
+        if (progress) progress(static_cast<double>(correct.size()) / static_cast<double>(seeds));
     }
-    return numbers;
+    return correct;
 }
 
-// A picture is then one sample.
-bool shares_one_rule(const PictureSettings& settings) {
-    return settings.method == Method::single || settings.method == Method::rotated ||
-           (settings.method == Method::mc && is_lattice(settings.placement));
+// A picture by one rule is one sample, whose numbers have longer tails than normal ones.
+Accepted accepted_of(const PictureSettings& settings) {
+    const bool has_one_rule = settings.method == Method::single || settings.method == Method::rotated ||
+                              (settings.method == Method::mc && is_lattice(settings.placement));
+    return has_one_rule ? Accepted{6, 10} : Accepted{5, 6};
 }
 
-// More is accepted for one rule, whose numbers have longer tails than normal ones.
-Comparison compared(const Numbers& here, const std::vector<Numbers>& correct, const PictureSettings& settings) {
-    return compared(here, correct, shares_one_rule(settings) ? Accepted{6, 10} : Accepted{5, 6});
+// Whether sphere and rectangle are as bright, colour by colour, as in correct pictures.
+bool is_as_bright(const Fingerprint& measured, const Expected& expected, double slack = 1) {
+    for (std::size_t i = first_part; i < first_lag; ++i)
+        if (!(std::fabs(deviation(measured, expected.correct, i)) <= slack * expected.accepted.deviations))
+            return false;
+    return true;
 }
 
-// The settings at the picture's size.
-PictureSettings sized(PictureSettings settings, const Image& picture) {
-    settings.width = picture.width();
-    settings.height = picture.height();
-    settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    const double objects = object_pixels(sphere_scene(), {settings.width, settings.height});
-    if (objects < 500)
-        throw std::invalid_argument(formatted("%d x %d pixels are too few to judge: %.0f show an object, 500 should",
-                                         settings.width, settings.height, objects));
-    return settings;
-}
-
-// The other methods, and the same with other numbers of samples: not where one rule serves all pixels, whose pictures
-// differ so much from seed to seed that another number explains nearly any.
-std::vector<PictureSettings> others(const PictureSettings& settings) {
-    std::vector<PictureSettings> all;
-    for (const auto& each : method_names) {
-        all.push_back(settings);
-        all.back().method = each.second;
-    }
-    if (shares_one_rule(settings)) return all;
-    for (const std::size_t samples : {settings.samples / 4, settings.samples / 2, 2 * settings.samples}) {
-        all.push_back(settings);
-        all.back().samples = std::max<std::size_t>(1, samples);
-    }
-    return all;
-}
-
-// What makes such pictures: a factor, another method or number of samples, whichever correct pictures of are nearest,
-// if these would be accepted; or an empty text. numbers(settings, count): of so many correct pictures.
-template <class NumbersOf>
-std::string resembled(const Image& picture, const Truth& truth, const PictureSettings& settings,
-                      const std::vector<Numbers>& correct, NumbersOf numbers) {
-    const Numbers here = numbers_of(picture, truth);
-    std::string name;
-    double least = HUGE_VAL;
-    const auto consider = [&](const std::string& text, const Comparison& comparison) {
-        const double deviation = comparison["together"].here;
-        if (!comparison.fits() || deviation >= least) return;
-        least = deviation;
-        name = text;
+// The explanation that the picture is nearest to. Where the background proves it, the objects need only be nearer to it
+// than to the truth; otherwise nearly as near as correct pictures are to the truth. An empty text if there is none.
+std::string cause_of(const PictureFile& picture, const View& view, const Expected& expected, const Comparison& beside) {
+    const bool is_proof = !view.background.fits();
+    if (!is_proof && is_as_bright(view.fingerprint, expected)) return "";
+    std::string cause;
+    double least = is_proof ? 1.02 * view.fingerprint[rmse_number] : HUGE_VAL;
+    const auto consider = [&](const Explanation& explanation) {
+        const View explained = view_of(explanation.picture, explanation.truth, picture.maxval);
+        const Fingerprint& measured = explained.fingerprint;
+        const double share = 1.3 * explained.light / view.light;
+        const bool is_near = is_as_bright(measured, expected, 1.5) &&
+                             measured[rmse_number] <= share * beside["rmse"].high &&
+                             measured[block_number] <= share * beside["block"].high;
+        if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return;
+        least = 0.98 * measured[rmse_number];
+        cause = explanation.cause;
     };
-    const double factor = 1 + here[1];
-    const std::string reason = factor_name(factor, 0.02);
-    const Image as_bright = image_of(settings.width, settings.height, [&](int x, int y) {
-        return (truth.shows_object(x, y) ? 1 / factor : 1) * picture(x, y);
-    });
-    consider(formatted("what shows an object is %.3g times as bright", factor) + (reason.empty() ? "" : ": " + reason),
-             compared(numbers_of(as_bright, truth), correct, settings));
-    for (const PictureSettings& other : others(settings)) {
-        try {
-            const Comparison few = compared(here, numbers(other, 6), other);
-            if (few["rmse"].fits() && few["brightness"].fits() && few["correlation"].fits())
-                consider("the picture is as of " + options_of(other), compared(here, numbers(other, seeds), other));
-        } catch (const NotPositiveDefinite&) {
-            continue;  // no program makes pictures with so many samples
-        }
-    }
-    return name;
+    for (const Truth& truth : expected.truths)
+        if (is_proof) explain_whole(picture.image, truth, picture.maxval, consider);
+    if (!is_proof)
+        explain_objects(picture.image, *view.truth, *expected.environment, expected.settings.samples, consider);
+    return cause;
 }
 
-// What the pattern of the errors tells, or an empty text.
-std::string pattern(const Comparison& comparison) {
-    const Lag lag = lag_of(comparison.strangest);
-    if (comparison["repeats"].here > comparison["repeats"].high)
+// What the pattern of errors of the right size tells, or an empty text.
+std::string pattern_of(const View& view, const Comparison& beside) {
+    const auto is_small = [](double part) { return std::fabs(part) < 0.15; };
+    const auto parts = view.fingerprint.begin() + first_part;
+    if (!view.background.fits() || !beside["rmse"].fits() || !std::all_of(parts, parts + 6, is_small)) return "";
+    const Lag lag = lag_of(beside.most_deviating_lag);
+    if (beside["repeats"].measured > beside["repeats"].high)
         return formatted("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
-    if (comparison["rmse"].fits() && (comparison["alike"].here > comparison["alike"].high ||
-                                      comparison["correlation"].here > comparison["correlation"].high))
+    if (beside["alike"].measured > beside["alike"].high && beside["correlation"].measured > 0.5)
         return "neighbouring pixels share random numbers, or rules that are not turned";
     return "";
 }
 
-}  // namespace
-
-std::string options_of(const PictureSettings& settings) {
-    return formatted("--method %s --samples %zu", name_of(settings.method, method_names), settings.samples) +
-           (settings.method == Method::pool ? formatted(" --pool %zu", settings.pool) : "");
+// Where the picture errs: its background; all objects alike; or the part that deviates most, and its colours that do so
+// half as much. An empty text if it does so nowhere more than correct pictures.
+std::string place_of(const View& view, const Expected& expected, const Comparison& beside) {
+    if (!view.background.fits())
+        return formatted("it errs most in the background, of which %.3g %% differ", 100 * view.background.differing);
+    if (is_as_bright(view.fingerprint, expected)) return "";
+    const auto in_words = [](double error) {
+        return formatted("%.0f %% too %s", 100 * std::fabs(error), error < 0 ? "dark" : "bright");
+    };
+    Fingerprint relative = view.fingerprint;  // to the brightness of all objects
+    for (std::size_t i = first_part; i < first_lag; ++i)
+        relative[i] = (1 + relative[i]) / (1 + relative[brightness_number]) - 1;
+    if (!beside["brightness"].fits() && is_as_bright(relative, expected))
+        return "it errs on all objects alike: " + in_words(relative[brightness_number]);
+    const auto deviates = [&](std::size_t i) { return deviation(view.fingerprint, expected.correct, i); };
+    std::size_t most = first_part;
+    for (std::size_t i = first_part; i < first_lag; ++i)
+        if (std::fabs(deviates(i)) > std::fabs(deviates(most))) most = i;
+    const std::size_t part = (most - first_part) / 3;
+    std::size_t i = first_part + 3 * part;
+    std::string names;
+    for (const char* name : {"red", "green", "blue"})
+        if (deviates(i++) / deviates(most) > 0.5) names += (names.empty() ? "" : ", ") + std::string(name);
+    return std::string("it errs most on the ") + (part == 0 ? "sphere: " : "rectangle: ") + names + ' ' +
+           in_words(view.fingerprint[most]);
 }
 
-PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap& environment,
-                               const PictureSettings& wanted, const Progress& progress) {
-    const PictureSettings settings = sized(wanted, picture.image);
-    const PrefilteredEnvironment prefiltered(environment, settings.threads);
-    const EnvironmentLight light{environment, &prefiltered};
-    const Truth dense = dense_truth(light, settings, dense_samples);
-    const double white = picture.maxval > 0 ? 1 : HUGE_VAL;
-    const Truth truth{each_channel(dense.image, [&](double v) { return std::min(v, white); }), dense.mask};
-    const Background background = background_of(picture, truth, environment);
-    const Image image = unrounded(picture, background.offset);
-    const Numbers here = numbers_of(image, truth);
-    if (!std::isfinite(here[1]))
-        throw std::invalid_argument("the environment lights no object, so there is nothing to judge; take another");
-    const std::vector<Numbers> correct = correct_numbers(settings, light, picture.maxval, truth, seeds, progress);
-    PictureJudgement judgement{compared(here, correct, settings), largest_block_error(image, truth), ""};
-    std::vector<Quantity>& quantities = judgement.comparison.quantities;
-    quantities.insert(quantities.begin(), {"background", background.differing, 0, 0, 0, background.accepted});
-    if (judgement.fits()) return judgement;
+}  // namespace
 
-    const double rmse = judgement.comparison["rmse"].high;
-    const auto numbers = [&](const PictureSettings& other, std::size_t count) {
-        return correct_numbers(other, light, picture.maxval, truth, count);
+Expected expect(const EnvironmentLight& light, PictureSettings settings, const PictureFile& picture,
+                const Progress& progress) {
+    const Camera camera{picture.image.width(), picture.image.height()};
+    settings.width = camera.width;
+    settings.height = camera.height;
+    settings.seed = first_seed;
+    settings.threads = std::max(1u, std::thread::hardware_concurrency());
+    const double objects = object_pixels(sphere_scene(), camera);
+    if (objects < 500)
+        throw std::invalid_argument(formatted("%d x %d pixels are too few to judge: %.0f show an object, 500 should",
+                                              camera.width, camera.height, objects));
+    const Truth truth = dense_truth(light, settings, dense_samples);
+    const auto texel = [&](int x, int y) {
+        return truth.shows_object(x, y) ? truth.image(x, y) : light.environment.radiance(camera.ray(x, y).direction);
     };
-    if (!quantities[0].fits()) {
-        judgement.mistake = mistake_of_whole(picture, dense, rmse);
-        return judgement;
-    }
-    judgement.mistake = mistake_of_objects(picture, dense, environment, settings.samples, 1.5 * rmse);
-    if (judgement.mistake.empty()) judgement.mistake = resembled(image, truth, settings, correct, numbers);
-    if (judgement.mistake.empty()) judgement.mistake = pattern(judgement.comparison);
+    const Truth texels{image_of(camera.width, camera.height, texel), truth.mask};
+    Expected expected{settings, picture.maxval, accepted_of(settings), {truth, texels}, &light.environment, {}};
+    if (view_of(picture.image, truth, 0).light == 0)
+        throw std::invalid_argument("the environment lights no object, so there is nothing to judge; take another");
+    expected.correct = correct_fingerprints(light, expected, progress);
+    return expected;
+}
+
+Judgement judge(const PictureFile& picture, const Expected& expected) {
+    const View interpolated = view_of(picture.image, expected.truths[0], picture.maxval),
+               texels = view_of(picture.image, expected.truths[1], picture.maxval),
+               &view = texels.background.differing < interpolated.background.differing ? texels : interpolated;
+    Judgement judgement{compare(view.fingerprint, expected.correct, expected.accepted), view.block, ""};
+    Comparison& comparison = judgement.comparison;
+    comparison.quantities.insert(comparison.quantities.begin(),
+                                 {"background", view.background.differing, 0, 0, view.background.accepted});
+    if (comparison.fits()) return judgement;
+    std::string cause = pattern_of(view, comparison);
+    if (cause.empty()) cause = cause_of(picture, view, expected, comparison);
+    judgement.reason = cause.empty() ? place_of(view, expected, comparison) : "likely: " + cause;
     return judgement;
 }

@@ -1,24 +1,33 @@
 // Whether a picture of the sphere scene, made by whatever program with whatever random numbers, is what a correct one
-// makes: its numbers beside those of correct pictures with other seeds.
+// makes: its fingerprint beside those of correct pictures with other seeds.
 #pragma once
 
+#include "causes.h"
+#include "fingerprint.h"
 #include "picture_file.h"
-#include "picture_numbers.h"
 
-#include <string>
+// What is expected of pictures in one kind of file.
+struct Expected {
+    PictureSettings settings;
+    int maxval;
+    Accepted accepted;
+    Truth truths[2];  // not clamped; the background interpolated, as here, or of single texels, as in the practice
+    const EnvironmentMap* environment;
+    std::vector<Fingerprint> correct;
 
-// The method, as one would type it.
-std::string options_of(const PictureSettings& settings);
-
-struct PictureJudgement {
-    Comparison comparison;  // first "background", the fraction of its pixels that differ
-    BlockError block;
-    std::string mistake;  // likely ones if not all quantities fit; empty if none explains the picture
-
-    bool fits() const { return comparison.fits(); }
+    bool serves(const PictureFile& file) const {
+        return maxval == file.maxval && settings.width == file.image.width() && settings.height == file.image.height();
+    }
 };
 
-// The picture against those of the settings, whose size and seed are not used. Throws std::invalid_argument if too few
-// pixels show an object, or the environment lights none.
-PictureJudgement judge_picture(const PictureFile& picture, const EnvironmentMap& environment,
-                               const PictureSettings& settings, const Progress& progress = nullptr);
+// For files like this picture's, under a light that must outlive it, by programs with these settings, whose size and
+// seed are not used. Throws std::invalid_argument if too few pixels show an object, or the environment lights none.
+Expected expect(const EnvironmentLight& light, PictureSettings settings, const PictureFile& picture,
+                const Progress& progress = nullptr);
+
+struct Judgement {
+    Comparison comparison;  // first "background", the fraction of its pixels that differ
+    BlockError block;
+    std::string reason;  // of a wrong picture: its cause, or where it errs most; empty if neither is sure
+};
+Judgement judge(const PictureFile& picture, const Expected& expected);

@@ -1,11 +1,7 @@
-// The usual mistakes by which a picture or a column of a table is off: for the judge, and for the comparison with a
-// reference.
+// The usual mistakes in pictures and tables: for the judge, and for the comparison with a reference.
 #pragma once
 
 #include "numerics/portable_math.h"
-
-#include <cmath>
-#include <string>
 
 struct Mirroring {
     const char* name;
@@ -24,15 +20,3 @@ constexpr Factor factors[] = {{"1 / pi is missing, or pi too often", portable::p
                               {"2 pi is missing", 1 / (2 * portable::pi)},
                               {"weights pi / N in place of 2 pi / N", 0.5},
                               {"weights 4 pi / N in place of 2 pi / N, or added twice", 2}};
-
-// Which of the known factors, nearest and within a relative tolerance, it is; or an empty text.
-inline std::string factor_name(double factor, double tolerance) {
-    std::string name;
-    for (const Factor& each : factors) {
-        const double off = std::fabs(factor / each.factor - 1);
-        if (off > tolerance) continue;
-        name = each.name;
-        tolerance = off;
-    }
-    return name;
-}

@@ -6,15 +6,16 @@
 #include <istream>
 #include <stdexcept>
 #include <streambuf>
-#include <vector>
+
+#include "command_line.h"
 
 namespace {
 
-// The linear value of every code.
-std::vector<float> decoded_codes(int maxval) {
+// Of every code.
+std::vector<float> linear_values(int maxval) {
     std::vector<float> values;
-    for (int code = 0; code <= maxval; ++code)
-        values.push_back(static_cast<float>(srgb_decoded(static_cast<double>(code) / maxval)));
+    for (double code = 0; code <= maxval; ++code)
+        values.push_back(static_cast<float>(srgb_decoded(code / std::max(maxval, 1))));
     return values;
 }
 
@@ -23,39 +24,39 @@ public:
     explicit PictureReader(std::streambuf& bytes) : bytes_(bytes) {}
 
     PictureFile read() {
-        std::string magic;
-        for (int i = 0; i < 2 && bytes_.sgetc() != end_of_file; ++i) magic += static_cast<char>(bytes_.sbumpc());
-        if (magic == "\x89P") fail("a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
-        if (magic != "P3" && magic != "P6" && magic != "PF")
+        char magic[2];
+        const std::string kind(magic, static_cast<std::size_t>(bytes_.sgetn(magic, 2)));
+        if (kind == "\x89P") fail("a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
+        is_pfm_ = kind == "PF";
+        is_text_ = kind == "P3";
+        if (!is_pfm_ && !is_text_ && kind != "P6")
             fail("it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour)");
-        is_text_ = magic == "P3";
-        is_ppm_ = magic != "PF";
-        const int width = whole_number("width", max_side);
-        height_ = whole_number("height", max_side);
-        const int maxval = is_ppm_ ? whole_number("largest code", 255) : 0;
+        const int width = whole_number("width", 1, 8192);
+        height_ = whole_number("height", 1, 8192);
+        const int maxval = is_pfm_ ? 0 : whole_number("largest code", 1, 255);
         // Of the scale, in units that nobody agreed on, only the sign counts.
-        if (!is_ppm_) little_endian_ = word("scale")[0] == '-';
+        little_endian_ = is_pfm_ && word("scale")[0] == '-';
         if (!is_text_) require_one_space();
-        const std::vector<float> linear_values = decoded_codes(std::max(maxval, 1));
+        const std::vector<float> linear = linear_values(maxval);
+        std::vector<float> values;
         for (rows_ = 0; rows_ < height_; ++rows_)
-            for (int i = 0; i < 3 * width; ++i) values_.push_back(is_ppm_ ? linear_values[code(maxval)] : real());
+            for (int i = 0; i < 3 * width; ++i) values.push_back(is_pfm_ ? real() : linear[code(maxval)]);
         const auto pixel = [&](int x, int y) {
-            const float* rgb = &values_[static_cast<std::size_t>(3 * (from_top(y) * width + x))];
+            const float* rgb = &values[static_cast<std::size_t>(3 * (from_top(y) * width + x))];
             return Color{rgb[0], rgb[1], rgb[2]};
         };
         return {image_of(width, height_, pixel), maxval};
     }
 
 private:
-    static constexpr int max_side = 8192;
     static constexpr int end_of_file = std::char_traits<char>::eof();
 
     [[noreturn]] void fail(const std::string& problem) const {
-        throw std::runtime_error(rows_ < 0 ? problem : "row " + std::to_string(from_top(rows_)) + ": " + problem);
+        throw std::runtime_error(rows_ < 0 ? problem : formatted("row %d: ", from_top(rows_)) + problem);
     }
 
     // The row as the file counts them: a PFM begins at the bottom.
-    int from_top(int row) const { return is_ppm_ ? row : height_ - 1 - row; }
+    int from_top(int row) const { return is_pfm_ ? height_ - 1 - row : row; }
 
     static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -74,13 +75,12 @@ private:
         return text;
     }
 
-    int whole_number(const std::string& what, int most, int least = 1) {
-        const std::string text = word(what);
-        const bool digits = text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 9;
-        const int value = digits ? std::stoi(text) : -1;
-        if (value >= least && value <= most) return value;
-        fail("the " + what + " '" + text + "' is not a whole number from " + std::to_string(least) + " to " +
-             std::to_string(most));
+    int whole_number(const std::string& what, int least, int most) {
+        try {
+            return static_cast<int>(parse_integer(word(what), least, most));
+        } catch (const UsageError& error) {
+            fail("the " + what + ' ' + error.what());
+        }
     }
 
     void require_one_space() {
@@ -97,11 +97,9 @@ private:
     }
 
     std::size_t code(int maxval) {
-        if (is_text_) return static_cast<std::size_t>(whole_number("code", maxval, 0));
-        const unsigned code = byte();
-        if (code > static_cast<unsigned>(maxval))
-            fail("code " + std::to_string(code) + " exceeds the largest, " + std::to_string(maxval));
-        return code;
+        const int code = is_text_ ? whole_number("code", 0, maxval) : static_cast<int>(byte());
+        if (code > maxval) fail(formatted("code %d exceeds the largest, %d", code, maxval));
+        return static_cast<std::size_t>(code);
     }
 
     float real() {
@@ -113,10 +111,8 @@ private:
     }
 
     std::streambuf& bytes_;
-    bool is_text_ = false, is_ppm_ = true, little_endian_ = false;
-    int height_ = 0;
-    int rows_ = -1;              // that are read; -1: the header is
-    std::vector<float> values_;  // of all channels, linear
+    bool is_text_ = false, is_pfm_ = false, little_endian_ = false;
+    int height_ = 0, rows_ = -1;  // rows that are read; -1: the header is
 };
 
 }  // namespace
@@ -129,9 +125,9 @@ double srgb_encoded(double linear) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * portable::pow(v, 1 / 2.4) - 0.055;
 }
 
-Image stored(const Image& image, int maxval) {
+Image as_stored(const Image& image, int maxval) {
     if (maxval == 0) return image;
-    const std::vector<float> decoded = decoded_codes(maxval);
-    return each_channel(
-        image, [&](double linear) { return decoded[static_cast<std::size_t>(maxval * srgb_encoded(linear) + 0.5)]; });
+    const std::vector<float> linear = linear_values(maxval);
+    return each_channel(image,
+                        [&](double v) { return linear[static_cast<std::size_t>(maxval * srgb_encoded(v) + 0.5)]; });
 }

@@ -11,9 +11,8 @@ struct PictureFile {
 };
 
 // Reads a picture from a binary stream: PPM, binary (P6) or in words (P3), sRGB with any largest code from 1 to 255; or
-// PFM in colour (PF), linear floats of either byte order.
-// Memory follows what the file holds, not what its header claims. Throws std::runtime_error, one line: what is wrong
-// and, within the picture, in which row (0 at the top).
+// PFM in colour (PF), linear floats of either byte order. Memory follows what the file holds, not what its header
+// claims. Throws std::runtime_error, one line: what is wrong and, within the picture, in which row (0 at the top).
 PictureFile read_picture(std::istream& in);
 
 // The code in [0, 1] of a linear value, clamped to [0, 1], by the sRGB transfer function; 0 for nan.
@@ -21,7 +20,7 @@ double srgb_encoded(double linear);
 
 // What a file with the largest code maxval keeps of an image: clamped, encoded, rounded and read back. Floats (0) keep
 // all of it.
-Image stored(const Image& image, int maxval);
+Image as_stored(const Image& image, int maxval);
 
 // The image with f of every channel of every pixel.
 template <class Function>

@@ -1,7 +1,8 @@
-#include "../course/judge/picture_numbers.h"
+#include "../course/judge/fingerprint.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -24,10 +25,9 @@ Image with_error(const Truth& truth, Error f) {
     return image;
 }
 
-// Forty pictures' numbers: the one that is named i is 0.01 a, or 0.01 / a, in half of them each; the others are all the
-// same.
-std::vector<Numbers> correct_pictures(std::size_t i, double a) {
-    std::vector<Numbers> all(40, Numbers{0.01, 0.01, 0.01, 0.01, 0.01, 0.01});
+// Of forty pictures: number i is 0.01 a, or 0.01 / a, in half of them each; the others are all 0.01.
+std::vector<Fingerprint> correct_pictures(std::size_t i, double a) {
+    std::vector<Fingerprint> all(40, Fingerprint(first_lag + 1, 0.01));
     for (std::size_t k = 0; k < all.size(); ++k) all[k][i] *= k % 2 == 0 ? a : 1 / a;
     return all;
 }
@@ -36,7 +36,7 @@ std::vector<Numbers> correct_pictures(std::size_t i, double a) {
 
 TEST_CASE("neighbours, beside and below, are alike where their errors differ by less than a tenth of the RMSE") {
     const Truth truth = grey();
-    const auto alike = [&](auto error) { return numbers_of(with_error(truth, error), truth)[3]; };
+    const auto alike = [&](auto error) { return fingerprint(with_error(truth, error), truth)[3]; };
     CHECK(alike([](int, int) { return 0.25; }) == 1);
     CHECK(alike([](int x, int y) { return (x + y) % 2 ? 0.25 : -0.25; }) == 0);
     const double columns = alike([](int x, int) { return x % 2 ? 0.25 : -0.25; });
@@ -46,6 +46,18 @@ TEST_CASE("neighbours, beside and below, are alike where their errors differ by 
     // three channels, is 0.025 sqrt(3), and the vectors differ by d sqrt(3).
     CHECK(alike([](int x, int y) { return 0.25 + ((x + y) % 2 ? 0.0124 : -0.0124); }) == 1);
     CHECK(alike([](int x, int y) { return 0.25 + ((x + y) % 2 ? 0.0126 : -0.0126); }) == 0);
+}
+
+TEST_CASE("the mean error of each colour is told for the sphere and for the rectangle") {
+    const Truth truth = grey();
+    Image picture = truth.image;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const auto hit = intersect(sphere_scene(), Camera{side, side}.ray(x, y));
+            if (hit) picture.set(x, y, hit->object == Object::sphere ? Color{0.5, 0.75, 0.5} : Color{0.5, 0.5, 0.25});
+        }
+    const Fingerprint numbers = fingerprint(picture, truth), expected{0, 0.5, 0, 0, 0, -0.5};
+    for (std::size_t i = 0; i < 6; ++i) CHECK(std::fabs(numbers[first_part + i] - expected[i]) < 1e-12);
 }
 
 TEST_CASE("the block that errs most is found among those that show enough of an object") {
@@ -64,8 +76,8 @@ TEST_CASE("errors that repeat are correlated at their lag: rows, diagonals, tile
     // Of both signs, and without a correlation of neighbours: the squares modulo 31.
     const auto noise = [](int i) { return (i * i + 7 * i) % 31 < 15 ? 0.1 : -0.1; };
     const auto strongest = [&](auto error) {
-        const Numbers numbers = numbers_of(with_error(truth, error), truth);
-        std::size_t found = named_numbers;
+        const Fingerprint numbers = fingerprint(with_error(truth, error), truth);
+        std::size_t found = first_lag;
         for (std::size_t i = found; i < numbers.size(); ++i)
             if (numbers[i] > numbers[found] + 1e-9) found = i;
         return lag_of(found);
@@ -82,30 +94,30 @@ TEST_CASE("errors that repeat are correlated at their lag: rows, diagonals, tile
 
 TEST_CASE("a number just inside the accepted deviations fits, and one just outside does not") {
     const double spread = std::sqrt(40.0 / 39 * (1 + 1.0 / 40));  // of a new number, where half are +1 and half -1
-    const auto fits = [&](std::size_t i, double number, const std::vector<Numbers>& correct) {
-        Numbers here(6, 0.01);
-        here[i] = number;
-        return compared(here, correct, {5, 6}).quantities[i].fits();
+    const auto fits = [&](std::size_t i, double number, const std::vector<Fingerprint>& correct) {
+        Fingerprint measured(first_lag + 1, 0.01);
+        measured[i] = number;
+        return compare(measured, correct, {5, 6}).quantities[std::min(i, first_part)].fits();
     };
     const double reach = 5 * spread * portable::log(1.1);
     for (const std::size_t i : {std::size_t{0}, std::size_t{4}})  // rmse, block: on a logarithmic scale
         for (const double sign : {1.0, -1.0}) {
-            const std::vector<Numbers> correct = correct_pictures(i, i == 0 ? 1.1 : 1.5);
+            const std::vector<Fingerprint> correct = correct_pictures(i, i == 0 ? 1.1 : 1.5);
             const double r = sign * (i == 0 ? reach : 5 * spread * portable::log(1.5));
             CHECK(fits(i, 0.01 * portable::exp(0.999 * r), correct));
             CHECK(!fits(i, 0.01 * portable::exp(1.001 * r), correct));
         }
     // The same of errors as small as many samples leave.
-    std::vector<Numbers> small = correct_pictures(0, 1.1);
-    for (Numbers& numbers : small) numbers[0] *= 1e-4;
+    std::vector<Fingerprint> small = correct_pictures(0, 1.1);
+    for (Fingerprint& numbers : small) numbers[0] *= 1e-4;
     CHECK(fits(0, 1e-6 * portable::exp(0.999 * reach), small));
     CHECK(!fits(0, 1e-6 * portable::exp(1.001 * reach), small));
     // Brightness as it is; its least deviation is 0.001.
     CHECK(fits(1, 0.01 + 0.00499, correct_pictures(1, 1)));
     CHECK(!fits(1, 0.01 + 0.00501, correct_pictures(1, 1)));
     // Repeats: 6 deviations, of 0.01 at least.
-    CHECK(fits(5, 0.01 - 0.0599, correct_pictures(5, 1)));
-    CHECK(!fits(5, 0.01 - 0.0601, correct_pictures(5, 1)));
+    CHECK(fits(first_lag, 0.01 - 0.0599, correct_pictures(first_lag, 1)));
+    CHECK(!fits(first_lag, 0.01 - 0.0601, correct_pictures(first_lag, 1)));
     // Correlation by log((0.1 + c) / (1.01 - c)), whose least deviation is 0.1; alike by log(0.003 + f), 0.05.
     const auto odds = [](double c) { return portable::log((0.1 + c) / (1.01 - c)); };
     const double high = portable::exp(odds(0.01) + 0.5), correlation = (1.01 * high - 0.1) / (1 + high);
@@ -118,9 +130,9 @@ TEST_CASE("a number just inside the accepted deviations fits, and one just outsi
 
 TEST_CASE("numbers together may be 7 standard deviations away") {
     const auto fits = [](double deviations) {
-        Numbers here(6, 0.01);
-        here[1] += deviations * 0.001;
-        return compared(here, correct_pictures(1, 1), {5, 6})["together"].fits();
+        Fingerprint measured(first_lag + 1, 0.01);
+        measured[1] += deviations * 0.001;
+        return compare(measured, correct_pictures(1, 1), {5, 6})["together"].fits();
     };
     CHECK(fits(6.99));
     CHECK(!fits(7.01));

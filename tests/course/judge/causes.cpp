@@ -1,0 +1,91 @@
+#include "causes.h"
+
+#include <array>
+
+#include "command_line.h"
+#include "likely_mistakes.h"
+#include "picture_file.h"
+#include "quadrature/hemisphere.h"
+
+namespace {
+
+constexpr const char* wrong_integrands[] = {"cos(theta) twice", "cos(theta) is missing", "no shadows",
+                                            "the albedo is missing"};
+
+double ratio_of(double wrong, double right) { return right > 0 ? wrong / right : 1; }
+
+// What a point reflects by each of the wrong integrands, over what it should reflect, by the same directions.
+std::array<Color, 4> wrong_ratios(const Hit& hit, const EnvironmentMap& environment,
+                                  const std::vector<Vec3>& directions, double turns) {
+    const Scene scene = sphere_scene();
+    const Frame frame = Frame(hit.normal).rotated(turns);
+    Color right;
+    std::array<Color, 4> wrong;
+    for (const Vec3& local : directions) {
+        const Vec3 direction = frame.to_world(local);
+        const Color light = environment.radiance(direction);
+        const double visible = is_shadowed(scene, hit, direction) ? 0 : 1;
+        right += visible * local.y * light;
+        wrong[0] += visible * local.y * local.y * light;
+        wrong[1] += visible * light;
+        wrong[2] += local.y * light;
+    }
+    wrong[3] = {right.x / hit.albedo.x, right.y / hit.albedo.y, right.z / hit.albedo.z};
+    for (Color& each : wrong) each = {ratio_of(each.x, right.x), ratio_of(each.y, right.y), ratio_of(each.z, right.z)};
+    return wrong;
+}
+
+// The truth with so many times the light of objects and of the background.
+Truth times(double objects, double rest, const Truth& truth) {
+    const auto pixel = [&](int x, int y) { return (truth.shows_object(x, y) ? objects : rest) * truth.image(x, y); };
+    return {image_of(truth.image.width(), truth.image.height(), pixel), truth.mask};
+}
+
+}  // namespace
+
+void explain_whole(const Image& picture, const Truth& truth, int maxval, const Consider& consider) {
+    const int width = picture.width(), height = picture.height();
+    const auto undo = [&](const char* cause, auto pixel) { consider({cause, image_of(width, height, pixel), truth}); };
+    const auto encode = [&](const char* cause, auto f) {
+        consider(
+            {cause, picture, {each_channel(truth.image, [&](double v) { return f(std::min(v, 1.0)); }), truth.mask}});
+    };
+    for (const Mirroring& mirroring : mirrorings)
+        undo(mirroring.name, [&](int x, int y) {
+            return picture(mirroring.left_right ? width - 1 - x : x, mirroring.up_down ? height - 1 - y : y);
+        });
+    undo("red and blue exchanged", [&](int x, int y) {
+        const Color color = picture(x, y);
+        return Color{color.z, color.y, color.x};
+    });
+    encode(maxval > 0 ? "encoded by the sRGB curve twice" : "sRGB codes in a PFM, which holds linear values",
+           srgb_encoded);
+    if (maxval > 0) {
+        encode("linear values in a PPM, which holds sRGB codes", srgb_decoded);
+        encode("encoded by a gamma of 2.2 in place of the sRGB curve",
+               [](double v) { return srgb_decoded(portable::pow(v, 1 / 2.2)); });
+    }
+    consider({"the background is black", picture, times(1, 0, truth)});
+}
+
+void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
+                     const Consider& consider) {
+    const Camera camera{picture.width(), picture.height()};
+    const std::vector<Vec3> directions = fibonacci_directions(300);
+    std::vector<Truth> wrong(std::size(wrong_integrands), truth);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const auto hit = intersect(sphere_scene(), camera.ray(x, y));
+            if (!hit) continue;
+            const auto ratios = wrong_ratios(*hit, environment, directions, 0.618 * (y * camera.width + x));
+            for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i].image.set(x, y, ratios[i] * truth.image(x, y));
+        }
+    for (std::size_t i = 0; i < wrong.size(); ++i) consider({wrong_integrands[i], picture, wrong[i]});
+    const double n = static_cast<double>(samples);
+    std::vector<Factor> all{
+        {"nothing is added up", 0}, {"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}};
+    all.insert(all.end(), std::begin(factors), std::end(factors));
+    for (const auto& [reason, factor] : all)
+        consider({formatted("one factor for all objects, %.3g: perhaps %s", factor, reason), picture,
+                  times(factor, 1, truth)});
+}

@@ -1,0 +1,59 @@
+// The errors of a picture in numbers that have the same distribution for all correct programs, and how far they are
+// from those of correct pictures: in units of the spread over seeds, since pixels that share rules err alike.
+#pragma once
+
+#include "experiments/picture_error.h"
+
+#include <string>
+#include <vector>
+
+// RMSE, brightness and correlation as in ImageError; "alike", the fraction of neighbours whose errors differ by less
+// than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels. Then the
+// mean error of each colour on the sphere and on the rectangle, over its mean light. Then for each lag, how much more
+// the errors of pixels so far apart are correlated than those of neighbours.
+using Fingerprint = std::vector<double>;
+constexpr std::size_t rmse_number = 0, brightness_number = 1, block_number = 4, first_part = 5,
+                      first_lag = first_part + 6;
+
+Fingerprint fingerprint(const Image& picture, const Truth& truth);
+
+// To a pixel that may have the same random numbers: a near one, or one a likely side of a tile away.
+struct Lag {
+    int x, y;
+};
+Lag lag_of(std::size_t number);
+
+// The block of pixels with the largest error of the mean, of those from the left and the top of which at least half
+// shows an object: the root mean square over the channels, and the block's centre.
+struct BlockError {
+    double error;
+    int x, y;
+};
+BlockError largest_block_error(const Image& picture, const Truth& truth);
+
+// How far number i is from the mean of correct pictures, in standard deviations.
+double deviation(const Fingerprint& measured, const std::vector<Fingerprint>& correct, std::size_t i);
+
+// A number of a picture, the mean of correct pictures, and the range that is accepted.
+struct Quantity {
+    std::string name;
+    double measured, expected, low, high;
+
+    bool fits() const { return measured >= low && measured <= high; }
+};
+
+// Standard deviations that are accepted of a number; and of a lag, of which there are many.
+struct Accepted {
+    double deviations, of_lag;
+};
+
+// The first five numbers; "repeats", the lag that deviates most; and "together", how far the five are from those of
+// correct pictures, in standard deviations of all at once.
+struct Comparison {
+    std::vector<Quantity> quantities;
+    std::size_t most_deviating_lag;  // number
+
+    const Quantity& operator[](const std::string& name) const;
+    bool fits() const;
+};
+Comparison compare(const Fingerprint& measured, const std::vector<Fingerprint>& correct, Accepted accepted);
