@@ -34,6 +34,10 @@ $(BUILD)/unit_tests: $(TESTS) $(COMMON)
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
+# By name, so that what links it tells which objects it took.
+$(BUILD)/common.a: $(COMMON)
+	@rm -f $@ && ar rcsT $@ $^
+
 include tests/course/alone.mk
 test: all $(BUILD)/unit_tests $(BUILD)/compare $(ALONE)
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run
