@@ -41,6 +41,10 @@ $(BUILD)/tests/course/judge/%.o: EXTRA =
 $(BUILD)/judge: $(BUILD)/tests/course/judge/judge.o $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
+# By name, so that what links it tells which objects it took.
+$(BUILD)/common.a: $(COMMON)
+	@rm -f $@ && ar rcsT $@ $^
+
 include tests/course/alone.mk
 test: all $(BUILD)/unit_tests $(BUILD)/compare $(ALONE)
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run
