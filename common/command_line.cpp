@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -100,12 +99,12 @@ std::string describe(const std::vector<Option>& options) {
     return text;
 }
 
+// strtod alone would also skip white space and read hexadecimal numbers.
 double parse_real(const std::string& text, double low, double high) {
     char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);  // which skips white space
-    const bool whole =
-        !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) && end == text.c_str() + text.size();
-    if (whole && value >= low && value <= high) return value;
+    const double value = std::strtod(text.c_str(), &end);
+    const bool decimal = text.find_first_of(" \t\n\v\f\rxX") == std::string::npos && !text.empty();
+    if (decimal && end == text.c_str() + text.size() && value >= low && value <= high) return value;
     throw UsageError("'" + text + formatted("' is not a number from %g to %g", low, high));
 }
 

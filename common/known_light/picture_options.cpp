@@ -4,6 +4,10 @@
 
 namespace {
 
+UsageError too_few() {
+    return UsageError("--samples: one direction says nothing of the error of its mean; take more samples");
+}
+
 void tell_prediction(const PictureSettings& settings, double rmse) {
     std::fprintf(stderr, "renderer: %zu sample%s for a predicted RMSE of %.2g%s\n", settings.samples,
                  settings.samples == 1 ? "" : "s", rmse,
@@ -35,14 +39,15 @@ void require_predictable(const PictureSettings& settings) {
         throw UsageError(
             "--method mc predicts no error on a lattice, whose samples do not differ as independent ones do; take "
             "--placement uniform or cosine, or another method");
-    if (settings.samples == 1 && (mc || settings.light_known))
-        throw UsageError("--samples: 1 says nothing of the error of its mean; take 2 or more");
+    if (mc && settings.samples == 1) throw too_few();
 }
 
 Image asked_picture(const EnvironmentMap& environment, PictureSettings settings, Format format,
                     const Progress& progress) {
     std::optional<PrefilteredEnvironment> prefiltered;
     if (settings.light_known) prefiltered.emplace(environment, settings.threads);
+    if (prefiltered && settings.show == Show::error && sky_settings(settings, *prefiltered).samples == 1)
+        throw too_few();
     const EnvironmentLight light{environment, prefiltered ? &*prefiltered : nullptr};
     const Scene scene = sphere_scene();
     if (settings.rmse > 0) {

@@ -1,9 +1,9 @@
 #include "scene/input.h"
 
+#include "command_line.h"
+
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -36,13 +36,10 @@ std::vector<double> numbers_of(std::string text, std::size_t line) {
     std::replace(text.begin(), text.end(), ',', ' ');
     std::istringstream words(text);
     std::vector<double> numbers;
-    for (std::string word; words >> word;) {
-        char* end = nullptr;
-        numbers.push_back(std::strtod(word.c_str(), &end));
-        const std::string quoted = '\'' + word.substr(0, 40) + '\'';
-        if (end != word.c_str() + word.size() || std::isnan(numbers.back()))
-            fail(line, quoted + " is not a number; a comment begins with #");
-        if (std::fabs(numbers.back()) > largest_number) fail(line, quoted + " is larger than 1e100");
+    try {
+        for (std::string word; words >> word;) numbers.push_back(parse_real(word, -largest_number, largest_number));
+    } catch (const UsageError& error) {
+        fail(line, std::string(error.what()) + "; a comment begins with #");
     }
     return numbers;
 }

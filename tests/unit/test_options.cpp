@@ -69,6 +69,4 @@ TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample, whic
     CHECK_THROWS_AS(require_predictable(settings), UsageError);
     settings.method = Method::pool;
     CHECK_NOTHROW(require_predictable(settings));
-    settings.set_known(Known::light);
-    CHECK_THROWS_AS(require_predictable(settings), UsageError);
 }

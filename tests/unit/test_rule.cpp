@@ -77,14 +77,17 @@ TEST_CASE("directions are read from what rule prints, after the mark of UTF-8, a
                "0 1 0\n")
               .directions.size() == 1);
     CHECK(read("0 1 0\r0.6 0.8 0\r\n0 1 0").directions.size() == 3);
-    CHECK_THROWS_WITH_AS(read("0 1 0\r0 1 0\r\n\r\n0 1 x"), "line 4: 'x' is not a number; a comment begins with #",
+    CHECK_THROWS_WITH_AS(read("0 1 0\r0 1 0\r\n\r\n0 1 x"),
+                         "line 4: 'x' is not a number from -1e+100 to 1e+100; a comment begins with #",
                          std::runtime_error);
 }
 
 TEST_CASE("a line that is no direction is named") {
-    CHECK_THROWS_WITH_AS(read("0 1 0\n\n0 1 x\n"), "line 3: 'x' is not a number; a comment begins with #",
+    CHECK_THROWS_WITH_AS(read("0 1 0\n\n0 1 x\n"),
+                         "line 3: 'x' is not a number from -1e+100 to 1e+100; a comment begins with #",
                          std::runtime_error);
-    CHECK_THROWS_WITH_AS(read("0 1 nan\n"), "line 1: 'nan' is not a number; a comment begins with #",
+    CHECK_THROWS_WITH_AS(read("0 1 nan\n"),
+                         "line 1: 'nan' is not a number from -1e+100 to 1e+100; a comment begins with #",
                          std::runtime_error);
     CHECK_THROWS_WITH_AS(read("0 1 0\n0 1 0 5\n"),
                          "line 2: 4 numbers; every line should be x y z, or every line x y z value",
