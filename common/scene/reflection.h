@@ -7,8 +7,6 @@
 #include "scene/environment.h"
 #include "scene/scene.h"
 
-#include <vector>
-
 // A rule for the integral of f cos(theta) dw over H, where f is to be sampled: cos(theta) is in its weights. An array
 // for each component, so that neighbouring directions can be worked on side by side, eight at a time: after the last
 // one stand eight zeros.

@@ -4,10 +4,8 @@
 // 1986, for surfaces that do not emit and without interreflection).
 #pragma once
 
-#include "scene/environment.h"
 #include "scene/image.h"
 #include "scene/pixel_rules.h"
-#include "scene/scene.h"
 
 // The image of linear radiance. Throws what the Gaussian processes throw.
 Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings,

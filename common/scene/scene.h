@@ -64,8 +64,7 @@ void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
 double object_pixels(const Scene& scene, const Camera& camera);
 
 // Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it;
-// computed in the direction's precision, without a branch, so that many directions can be tried side by side.
-
+// computed in the direction's precision, without a branch, so that many directions can be tried side by side:
 // |o|^2 - (o.d)^2 < radius^2 for the offset o to the centre, where the centre lies ahead.
 template <class Vector>
 bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vector direction) {
