@@ -42,7 +42,7 @@ $(BUILD)/judge: $(BUILD)/tests/course/judge/judge.o $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
 # By name, so that what links it tells which objects it took.
-$(BUILD)/common.a: $(COMMON)
+$(BUILD)/common.a: $(COMMON) $(JUDGE)
 	@rm -f $@ && ar rcsT $@ $^
 
 include tests/course/alone.mk
