@@ -7,10 +7,10 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
+#include "known_light/picture_options.h"
+#include "numerics/plain_loops.h"
 #include "scene/desert.h"
-#include "scene/pilot.h"
 #include "scene/radiance_hdr.h"
-#include "scene/render.h"
 
 #include <getopt.h>
 
@@ -39,7 +39,7 @@ void check(const ModelSettings& model) {
 }
 
 void check(const renderer_program::Request& request) {
-    const RenderSettings& settings = request.settings;
+    const PictureSettings& settings = request.settings;
     require(settings.samples >= 1 && settings.pool >= 1 && settings.threads >= 1);
     require(settings.width >= 1 && settings.width <= 8192);
     require(settings.height >= 1 && settings.height <= 8192);
