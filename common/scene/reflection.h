@@ -19,10 +19,10 @@ struct CosineRule {
     Direction direction(std::size_t i) const { return {x[i], y[i], z[i]}; }
 
     void add(Vec3 direction, double weight) {
-        const auto end = static_cast<std::ptrdiff_t>(size());
-        x.insert(x.begin() + end, static_cast<float>(direction.x));
-        y.insert(y.begin() + end, static_cast<float>(direction.y));
-        z.insert(z.begin() + end, static_cast<float>(direction.z));
+        x[size()] = static_cast<float>(direction.x);
+        y[size()] = static_cast<float>(direction.y);
+        z[size()] = static_cast<float>(direction.z);
+        for (std::vector<float>* component : {&x, &y, &z}) component->push_back(0);
         weights.push_back(weight);
     }
 };
