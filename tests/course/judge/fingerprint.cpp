@@ -174,6 +174,9 @@ Fingerprint fingerprint(const Image& picture, const Truth& truth) {
     std::vector<double> errors;  // less the brightness error that all share
     for (std::size_t i = 0; i < picture.size(); ++i)
         errors.push_back(dot(picture[i] - (1 + error.brightness) * truth.image[i], {1, 1, 1}));
+    RootMeanSquare roughness;
+    each_pair(truth, {1, 0}, [&](std::size_t i, std::size_t j) { roughness.add(errors[i] - errors[j]); });
+    numbers.push_back(roughness.value());
     const double of_neighbours = correlation(errors, truth, {1, 0});
     for (const Lag lag : all_lags())
         if (2 * std::max(lag.x, lag.y) < std::min(picture.width(), picture.height()))

@@ -32,21 +32,21 @@ Request parse(int argc, char** argv) {
     return request;
 }
 
-std::string report(const std::string& file, const PictureFile& picture, const Judgement& judgement) {
-    const Image& image = picture.image;
-    std::string text = "# " + file + line(": %d x %d pixels, ", image.width(), image.height()) +
-                       (picture.maxval > 0 ? line("codes to %d\n", picture.maxval) : "linear floats\n") +
-                       "# quantity       measured     expected   accepted from and to\n";
+std::string report(const std::string& file, const Expected& expected, const Judgement& judgement) {
+    const RenderSettings& settings = expected.settings;
+    std::string text =
+        "# " + file + line(": %d x %d pixels, ", settings.width, settings.height) +
+        (expected.maxval > 0 ? line("codes to %d", expected.maxval) : "linear floats") +
+        line(", beside --method %s --samples %zu\n", name_of(settings.method, method_names), settings.samples) +
+        "# quantity       measured     expected   accepted from and to\n";
     std::string outside;
     for (const Quantity& q : judgement.comparison.quantities) {
         text += line("%-12s %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.measured, q.expected, q.low, q.high);
         if (!q.fits()) outside += (outside.empty() ? "" : ", ") + q.name;
     }
     const Lag lag = lag_of(judgement.comparison.most_deviating_lag);
-    text += line(
-        "# The block that errs most is around column %d, row %d; \"repeats\" is of pixels %d columns and %d rows "
-        "apart.\n",
-        judgement.block.x, judgement.block.y, lag.x, lag.y);
+    text += line("# The block that errs most is around column %d, row %d; ", judgement.block.x, judgement.block.y) +
+            line("\"repeats\" is of pixels %d columns and %d rows apart.\n", lag.x, lag.y);
     if (judgement.comparison.fits()) return text + "# Verdict: within what correct programs do.\n";
     return text + "# Verdict: not what correct programs do, by " + outside + (judgement.reason.empty() ? "" : "; ") +
            judgement.reason + ".\n";
@@ -66,7 +66,7 @@ Outcome run(Request request) {
         if (!expected || !expected->serves(*picture))
             expected = expect(light, request.correct, *picture, terminal_progress("judge"));
         const Judgement judgement = judge(*picture, *expected);
-        outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *picture, judgement);
+        outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *expected, judgement);
         if (!judgement.comparison.fits()) outcome.status = 1;
     }
     return outcome;
