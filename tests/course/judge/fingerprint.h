@@ -32,8 +32,13 @@ struct BlockError {
 };
 BlockError largest_block_error(const Image& picture, const Truth& truth);
 
-// How far number i is from the mean of correct pictures, in standard deviations.
-double deviation(const Fingerprint& measured, const std::vector<Fingerprint>& correct, std::size_t i);
+// Of number i on its scale, which for parts and lags is its own: the mean, and the deviation of a new number from it.
+struct Spread {
+    double mean, deviation;
+
+    double deviations(double number) const { return (number - mean) / deviation; }
+};
+Spread spread_of(const std::vector<Fingerprint>& correct, std::size_t i);
 
 // A number of a picture, the mean of correct pictures, and the range that is accepted.
 struct Quantity {

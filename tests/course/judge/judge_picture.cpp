@@ -98,10 +98,12 @@ Accepted accepted_of(const RenderSettings& settings) {
 }
 
 // Whether sphere and rectangle are as bright, colour by colour, as in correct pictures.
-bool is_as_bright(const Fingerprint& measured, const Expected& expected, double slack = 1) {
-    for (std::size_t i = first_part; i < roughness_number; ++i)
-        if (!(std::fabs(deviation(measured, expected.correct, i)) <= slack * expected.accepted.deviations))
-            return false;
+bool is_as_bright(const Fingerprint& measured, const Expected& expected, double slack = 1, double most = HUGE_VAL) {
+    for (std::size_t i = first_part; i < roughness_number; ++i) {
+        const auto [mean, deviation] = spread_of(expected.correct, i);
+        const double reach = slack * expected.accepted.deviations * deviation;
+        if (!(std::fabs(measured[i] - mean) <= std::min(reach, most))) return false;
+    }
     return true;
 }
 
@@ -116,7 +118,7 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
         const View explained = view_of(explanation.picture, explanation.truth, picture.maxval);
         const Fingerprint& measured = explained.fingerprint;
         const double share = 1.3 * explained.light / view.light;
-        const bool is_near = is_as_bright(measured, expected, 1.5) &&
+        const bool is_near = is_as_bright(measured, expected, 1.5, 0.05) &&
                              measured[rmse_number] <= share * beside["rmse"].high &&
                              measured[block_number] <= share * beside["block"].high;
         if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return;
@@ -139,8 +141,7 @@ std::string pattern_of(const View& view, const Expected& expected, const Compari
     const Lag lag = lag_of(beside.most_deviating_lag);
     if (beside["repeats"].measured > std::max(0.5, beside["repeats"].high))
         return line("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
-    double roughness = 0;
-    for (const Fingerprint& each : expected.correct) roughness += each[roughness_number] / seeds;
+    const double roughness = spread_of(expected.correct, roughness_number).mean;
     if (beside["correlation"].measured > 0.5 && view.fingerprint[roughness_number] < 0.6 * roughness)
         return "neighbouring pixels share random numbers, or rules that are not turned";
     return "";
@@ -160,7 +161,7 @@ std::string place_of(const View& view, const Expected& expected, const Compariso
         relative[i] = (1 + relative[i]) / (1 + relative[brightness_number]) - 1;
     if (!beside["brightness"].fits() && is_as_bright(relative, expected))
         return "it errs on all objects alike: " + in_words(relative[brightness_number]);
-    const auto deviates = [&](std::size_t i) { return deviation(view.fingerprint, expected.correct, i); };
+    const auto deviates = [&](std::size_t i) { return spread_of(expected.correct, i).deviations(view.fingerprint[i]); };
     std::size_t most = first_part;
     for (std::size_t i = first_part; i < roughness_number; ++i)
         if (std::fabs(deviates(i)) > std::fabs(deviates(most))) most = i;
