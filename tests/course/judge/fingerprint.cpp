@@ -43,18 +43,6 @@ constexpr Scale scales[] = {{"rmse", log_of_positive, portable::exp, 0.01},
                             {"repeats", itself, itself, 0.01}};
 const Scale& scale_of(std::size_t i) { return scales[std::min(i, i < first_lag ? first_part : first_part + 1)]; }
 
-struct Spread {
-    double mean, deviation;
-};
-
-// Of number i on its scale: the mean, and the deviation of a new number from this mean.
-Spread spread_of(const std::vector<Fingerprint>& correct, std::size_t i) {
-    Statistics statistics;
-    for (const Fingerprint& each : correct) statistics.add(scale_of(i).to(each[i]));
-    return {statistics.mean,
-            std::max(scale_of(i).floor, statistics.standard_error() * std::sqrt(statistics.count + 1))};
-}
-
 // One picture in 50,000 exceeds it, were the numbers normal: of n = 40 others and k = 5 numbers, (n - k) / (k (n - 1))
 // of the square is distributed as F with k and n - k degrees of freedom (Hotelling, 1931).
 constexpr double accepted_joint_deviation = 7;
@@ -174,6 +162,9 @@ Fingerprint fingerprint(const Image& picture, const Truth& truth) {
     std::vector<double> errors;  // less the brightness error that all share
     for (std::size_t i = 0; i < picture.size(); ++i)
         errors.push_back(dot(picture[i] - (1 + error.brightness) * truth.image[i], {1, 1, 1}));
+    RootMeanSquare roughness;
+    each_pair(truth, {1, 0}, [&](std::size_t i, std::size_t j) { roughness.add(errors[i] - errors[j]); });
+    numbers.push_back(roughness.value());
     const double of_neighbours = correlation(errors, truth, {1, 0});
     for (const Lag lag : all_lags())
         if (2 * std::max(lag.x, lag.y) < std::min(picture.width(), picture.height()))
@@ -181,9 +172,11 @@ Fingerprint fingerprint(const Image& picture, const Truth& truth) {
     return numbers;
 }
 
-double deviation(const Fingerprint& measured, const std::vector<Fingerprint>& correct, std::size_t i) {
-    const Spread spread = spread_of(correct, i);
-    return (scale_of(i).to(measured[i]) - spread.mean) / spread.deviation;
+Spread spread_of(const std::vector<Fingerprint>& correct, std::size_t i) {
+    Statistics statistics;
+    for (const Fingerprint& each : correct) statistics.add(scale_of(i).to(each[i]));
+    return {statistics.mean,
+            std::max(scale_of(i).floor, statistics.standard_error() * std::sqrt(statistics.count + 1))};
 }
 
 const Quantity& Comparison::operator[](const std::string& name) const {
@@ -203,7 +196,7 @@ Comparison compare(const Fingerprint& measured, const std::vector<Fingerprint>& 
             {name, measured[i], from(mean), from(mean - deviations * deviation), from(mean + deviations * deviation)});
     };
     for (std::size_t i = 0; i < first_part; ++i) add(i, accepted.deviations);
-    const auto of_lag = [&](std::size_t i) { return std::fabs(deviation(measured, correct, i)); };
+    const auto of_lag = [&](std::size_t i) { return std::fabs(spread_of(correct, i).deviations(measured[i])); };
     for (std::size_t i = first_lag; i < measured.size(); ++i)
         if (of_lag(i) > of_lag(comparison.most_deviating_lag)) comparison.most_deviating_lag = i;
     add(comparison.most_deviating_lag, accepted.of_lag);

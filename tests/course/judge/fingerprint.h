@@ -9,11 +9,12 @@
 
 // RMSE, brightness and correlation as in ImageError; "alike", the fraction of neighbours whose errors differ by less
 // than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels. Then the
-// mean error of each colour on the sphere and on the rectangle, over its mean light. Then for each lag, how much more
-// the errors of pixels so far apart are correlated than those of neighbours.
+// mean error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square
+// difference of the errors of neighbours; and for each lag, how much more the errors of pixels so far apart are
+// correlated than those of neighbours.
 using Fingerprint = std::vector<double>;
 constexpr std::size_t rmse_number = 0, brightness_number = 1, block_number = 4, first_part = 5,
-                      first_lag = first_part + 6;
+                      roughness_number = first_part + 6, first_lag = roughness_number + 1;
 
 Fingerprint fingerprint(const Image& picture, const Truth& truth);
 
@@ -31,8 +32,13 @@ struct BlockError {
 };
 BlockError largest_block_error(const Image& picture, const Truth& truth);
 
-// How far number i is from the mean of correct pictures, in standard deviations.
-double deviation(const Fingerprint& measured, const std::vector<Fingerprint>& correct, std::size_t i);
+// Of number i on its scale, which for parts and lags is its own: the mean, and the deviation of a new number from it.
+struct Spread {
+    double mean, deviation;
+
+    double deviations(double number) const { return (number - mean) / deviation; }
+};
+Spread spread_of(const std::vector<Fingerprint>& correct, std::size_t i);
 
 // A number of a picture, the mean of correct pictures, and the range that is accepted.
 struct Quantity {

@@ -4,8 +4,6 @@
 #include "scene/desert.h"
 #include "scene/input.h"
 
-#include <thread>
-
 namespace {
 
 struct Request {
@@ -34,21 +32,22 @@ Request parse(int argc, char** argv) {
     return request;
 }
 
-std::string report(const std::string& file, const PictureFile& picture, const Judgement& judgement) {
-    const Image& image = picture.image;
-    std::string text = "# " + file + formatted(": %d x %d pixels, ", image.width(), image.height()) +
-                       (picture.maxval > 0 ? formatted("codes to %d\n", picture.maxval) : "linear floats\n") +
-                       "# quantity       measured     expected   accepted from and to\n";
+std::string report(const std::string& file, const Expected& expected, const Judgement& judgement) {
+    const PictureSettings& settings = expected.settings;
+    std::string text =
+        "# " + file + formatted(": %d x %d pixels, ", settings.width, settings.height) +
+        (expected.maxval > 0 ? formatted("codes to %d", expected.maxval) : "linear floats") +
+        formatted(", beside --method %s --samples %zu\n", name_of(settings.method, method_names), settings.samples) +
+        "# quantity       measured     expected   accepted from and to\n";
     std::string outside;
     for (const Quantity& q : judgement.comparison.quantities) {
         text += formatted("%-12s %12.5g %12.5g %12.5g %12.5g\n", q.name.c_str(), q.measured, q.expected, q.low, q.high);
         if (!q.fits()) outside += (outside.empty() ? "" : ", ") + q.name;
     }
     const Lag lag = lag_of(judgement.comparison.most_deviating_lag);
-    text += formatted(
-        "# The block that errs most is around column %d, row %d; \"repeats\" is of pixels %d columns and %d rows "
-        "apart.\n",
-        judgement.block.x, judgement.block.y, lag.x, lag.y);
+    text +=
+        formatted("# The block that errs most is around column %d, row %d; ", judgement.block.x, judgement.block.y) +
+        formatted("\"repeats\" is of pixels %d columns and %d rows apart.\n", lag.x, lag.y);
     if (judgement.comparison.fits()) return text + "# Verdict: within what correct programs do.\n";
     return text + "# Verdict: not what correct programs do, by " + outside + (judgement.reason.empty() ? "" : "; ") +
            judgement.reason + ".\n";
@@ -59,7 +58,7 @@ Outcome run(Request request) {
         return "usage: build/judge FILE... [options]     pictures of one program: PPM or PFM (-: standard input)\n\n" +
                describe(options(request));
     const EnvironmentMap environment = load_environment(request.environment);
-    const PrefilteredEnvironment prefiltered(environment, std::max(1u, std::thread::hardware_concurrency()));
+    const PrefilteredEnvironment prefiltered(environment);
     const EnvironmentLight light{environment, &prefiltered};
     std::optional<Expected> expected;
     Outcome outcome("");
@@ -69,7 +68,7 @@ Outcome run(Request request) {
         if (!expected || !expected->serves(*picture))
             expected = expect(light, request.correct, *picture, terminal_progress("judge"));
         const Judgement judgement = judge(*picture, *expected);
-        outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *picture, judgement);
+        outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *expected, judgement);
         if (!judgement.comparison.fits()) outcome.status = 1;
     }
     return outcome;

@@ -99,10 +99,12 @@ Accepted accepted_of(const PictureSettings& settings) {
 }
 
 // Whether sphere and rectangle are as bright, colour by colour, as in correct pictures.
-bool is_as_bright(const Fingerprint& measured, const Expected& expected, double slack = 1) {
-    for (std::size_t i = first_part; i < first_lag; ++i)
-        if (!(std::fabs(deviation(measured, expected.correct, i)) <= slack * expected.accepted.deviations))
-            return false;
+bool is_as_bright(const Fingerprint& measured, const Expected& expected, double slack = 1, double most = HUGE_VAL) {
+    for (std::size_t i = first_part; i < roughness_number; ++i) {
+        const auto [mean, deviation] = spread_of(expected.correct, i);
+        const double reach = slack * expected.accepted.deviations * deviation;
+        if (!(std::fabs(measured[i] - mean) <= std::min(reach, most))) return false;
+    }
     return true;
 }
 
@@ -117,7 +119,7 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
         const View explained = view_of(explanation.picture, explanation.truth, picture.maxval);
         const Fingerprint& measured = explained.fingerprint;
         const double share = 1.3 * explained.light / view.light;
-        const bool is_near = is_as_bright(measured, expected, 1.5) &&
+        const bool is_near = is_as_bright(measured, expected, 1.5, 0.05) &&
                              measured[rmse_number] <= share * beside["rmse"].high &&
                              measured[block_number] <= share * beside["block"].high;
         if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return;
@@ -131,15 +133,17 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
     return cause;
 }
 
-// What the pattern of errors of the right size tells, or an empty text.
-std::string pattern_of(const View& view, const Comparison& beside) {
+// What the pattern of small errors tells, or an empty text. Neighbours err alike if their noise is shared, and under
+// other mistakes too; but these leave their differences as rough as they are.
+std::string pattern_of(const View& view, const Expected& expected, const Comparison& beside) {
     const auto is_small = [](double part) { return std::fabs(part) < 0.15; };
     const auto parts = view.fingerprint.begin() + first_part;
-    if (!view.background.fits() || !beside["rmse"].fits() || !std::all_of(parts, parts + 6, is_small)) return "";
+    if (!view.background.fits() || !std::all_of(parts, parts + 6, is_small)) return "";
     const Lag lag = lag_of(beside.most_deviating_lag);
-    if (beside["repeats"].measured > beside["repeats"].high)
+    if (beside["repeats"].measured > std::max(0.5, beside["repeats"].high))
         return formatted("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
-    if (beside["alike"].measured > beside["alike"].high && beside["correlation"].measured > 0.5)
+    const double roughness = spread_of(expected.correct, roughness_number).mean;
+    if (beside["correlation"].measured > 0.5 && view.fingerprint[roughness_number] < 0.6 * roughness)
         return "neighbouring pixels share random numbers, or rules that are not turned";
     return "";
 }
@@ -154,13 +158,13 @@ std::string place_of(const View& view, const Expected& expected, const Compariso
         return formatted("%.0f %% too %s", 100 * std::fabs(error), error < 0 ? "dark" : "bright");
     };
     Fingerprint relative = view.fingerprint;  // to the brightness of all objects
-    for (std::size_t i = first_part; i < first_lag; ++i)
+    for (std::size_t i = first_part; i < roughness_number; ++i)
         relative[i] = (1 + relative[i]) / (1 + relative[brightness_number]) - 1;
     if (!beside["brightness"].fits() && is_as_bright(relative, expected))
         return "it errs on all objects alike: " + in_words(relative[brightness_number]);
-    const auto deviates = [&](std::size_t i) { return deviation(view.fingerprint, expected.correct, i); };
+    const auto deviates = [&](std::size_t i) { return spread_of(expected.correct, i).deviations(view.fingerprint[i]); };
     std::size_t most = first_part;
-    for (std::size_t i = first_part; i < first_lag; ++i)
+    for (std::size_t i = first_part; i < roughness_number; ++i)
         if (std::fabs(deviates(i)) > std::fabs(deviates(most))) most = i;
     const std::size_t part = (most - first_part) / 3;
     std::size_t i = first_part + 3 * part;
@@ -205,7 +209,7 @@ Judgement judge(const PictureFile& picture, const Expected& expected) {
     comparison.quantities.insert(comparison.quantities.begin(),
                                  {"background", view.background.differing, 0, 0, view.background.accepted});
     if (comparison.fits()) return judgement;
-    std::string cause = pattern_of(view, comparison);
+    std::string cause = pattern_of(view, expected, comparison);
     if (cause.empty()) cause = cause_of(picture, view, expected, comparison);
     judgement.reason = cause.empty() ? place_of(view, expected, comparison) : "likely: " + cause;
     return judgement;

@@ -1,8 +1,10 @@
 #include "picture_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <istream>
 #include <stdexcept>
 #include <streambuf>
@@ -49,8 +51,6 @@ public:
     }
 
 private:
-    static constexpr int end_of_file = std::char_traits<char>::eof();
-
     [[noreturn]] void fail(const std::string& problem) const {
         throw std::runtime_error(rows_ < 0 ? problem : formatted("row %d: ", from_top(rows_)) + problem);
     }
@@ -58,16 +58,14 @@ private:
     // The row as the file counts them: a PFM begins at the bottom.
     int from_top(int row) const { return is_pfm_ ? height_ - 1 - row : row; }
 
-    static bool is_space(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
     // The next characters up to a space or a comment; what should stand here is named if they do not look like it.
     std::string word(const std::string& what) {
         int c = bytes_.sgetc();
-        for (; is_space(c) || c == '#'; c = bytes_.snextc())
+        for (; std::isspace(c) || c == '#'; c = bytes_.snextc())
             if (c == '#')
-                while (c != '\n' && c != '\r' && c != end_of_file) c = bytes_.snextc();
+                while (c != '\n' && c != '\r' && c != EOF) c = bytes_.snextc();
         std::string text;
-        for (; c != end_of_file && !is_space(c) && c != '#'; c = bytes_.snextc()) {
+        for (; c != EOF && !std::isspace(c) && c != '#'; c = bytes_.snextc()) {
             if (text.size() == 20 || c <= ' ' || c > '~') fail("the " + what + " is not a number: '" + text + "...'");
             text += static_cast<char>(c);
         }
@@ -85,14 +83,14 @@ private:
 
     void require_one_space() {
         const int c = bytes_.sbumpc();
-        if (!is_space(c)) fail("after the header there should be one space or line break");
+        if (!std::isspace(c)) fail("after the header there should be one space or line break");
         if (c == '\r' && bytes_.sgetc() == '\n')
             fail("CR and LF end the header: were its line ends converted? write the file in binary mode");
     }
 
     unsigned byte() {
         const int c = bytes_.sbumpc();
-        if (c == end_of_file) fail("the file ends inside the picture");
+        if (c == EOF) fail("the file ends inside the picture");
         return static_cast<unsigned>(c);
     }
 
