@@ -26,10 +26,9 @@ Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSe
 
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const EnvironmentLight& light,
                           const PictureSettings& settings) {
-    const auto& [environment, prefiltered] = light;
-    const bool has_sun = settings.light_known && !prefiltered->sun().empty();
+    const bool has_sun = settings.light_known && !light.prefiltered->sun().empty();
     return samples_for(target, has_sun ? 4 : 2, most, scene, settings, [&](const RenderSettings& tried) {
-        return settings.light_known ? error_of_known_light(scene, *prefiltered, tried)
-                                    : error_of_picture(scene, environment, tried);
+        return settings.light_known ? error_of_known_light(scene, *light.prefiltered, tried)
+                                    : error_of_picture(scene, light.environment, tried);
     });
 }
