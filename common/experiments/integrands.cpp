@@ -34,7 +34,7 @@ std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& 
 }
 
 double apply(const QuadratureRule& rule, const Integrand& integrand) {
-    const std::vector<double> values = sample(integrand, rule.directions, rule.known);
+    const auto values = sample(integrand, rule.directions, rule.known);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 
