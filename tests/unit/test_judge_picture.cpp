@@ -209,6 +209,13 @@ TEST_CASE("a rule that is not turned is found and named" * doctest::test_suite("
           "likely: neighbouring pixels share random numbers, or rules that are not turned");
 }
 
+TEST_CASE("neighbours that err alike by another mistake share no noise" * doctest::test_suite("long")) {
+    const Image darker = with_objects(rendered(Method::rotated), [](Color c, int, int) { return 0.9 * c; });
+    const Judgement judgement = judged(written(darker), Method::rotated);
+    CHECK(!judgement.comparison["alike"].fits());
+    CHECK(contains(judgement.reason, "it errs on all objects alike: "));
+}
+
 TEST_CASE("numbers that are common each, but not together, are found" * doctest::test_suite("long")) {
     Random random(7, 0);
     const Image noisy =
