@@ -82,8 +82,7 @@ void explain_objects(const Image& picture, const Truth& truth, const Environment
         }
     for (std::size_t i = 0; i < wrong.size(); ++i) consider({wrong_integrands[i], picture, wrong[i]});
     const double n = static_cast<double>(samples);
-    std::vector<Factor> all{
-        {"nothing is added up", 0}, {"not divided by N, or w = z", n}, {"divided by N twice", 1 / n}};
+    std::vector<Factor> all{{"nothing is added up", 0}, {"not divided by N", n}, {"divided by N twice", 1 / n}};
     all.insert(all.end(), std::begin(factors), std::end(factors));
     for (const auto& [reason, factor] : all)
         consider({formatted("one factor for all objects, %.3g: perhaps %s", factor, reason), picture,

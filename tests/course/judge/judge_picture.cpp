@@ -62,15 +62,16 @@ struct View {
     Background background;
     Fingerprint fingerprint;
     BlockError block;
-    double light;  // root mean square of the truth
+    double light, lost;  // root mean square of the truth, and the share of its light that is beyond white
 };
 View view_of(const Image& picture, const Truth& whole, int maxval) {
     const auto hold = [&](double v) { return maxval > 0 ? std::min(v, 1.0) : v; };
     const Truth truth{each_channel(whole.image, hold), whole.mask};
     const Background background = background_of(picture, truth, maxval);
     const Image image = undo_rounding(picture, maxval, background.offset);
-    return {&whole, background, fingerprint(image, truth), largest_block_error(image, truth),
-            image_error(Image(image.width(), image.height()), truth).rmse};
+    const double light = image_error(Image(image.width(), image.height()), truth).rmse,
+                 lost = -image_error(truth.image, whole).brightness;
+    return {&whole, background, fingerprint(image, truth), largest_block_error(image, truth), light, lost};
 }
 
 // The fingerprints of correct pictures in files of this kind.
@@ -109,7 +110,8 @@ bool is_as_bright(const Fingerprint& measured, const Expected& expected, double 
 }
 
 // The explanation that the picture is nearest to. Where the background proves it, the objects need only be nearer to it
-// than to the truth; otherwise nearly as near as correct pictures are to the truth. An empty text if there is none.
+// than to the truth; otherwise nearly as near as correct pictures are to the truth, and not mostly white. An empty text
+// if there is none.
 std::string cause_of(const PictureFile& picture, const View& view, const Expected& expected, const Comparison& beside) {
     const bool is_proof = !view.background.fits();
     if (!is_proof && is_as_bright(view.fingerprint, expected)) return "";
@@ -119,7 +121,7 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
         const View explained = view_of(explanation.picture, explanation.truth, picture.maxval);
         const Fingerprint& measured = explained.fingerprint;
         const double share = 1.3 * explained.light / view.light;
-        const bool is_near = is_as_bright(measured, expected, 1.5, 0.05) &&
+        const bool is_near = !(explained.lost > 0.5) && is_as_bright(measured, expected, 1.5, 0.04) &&
                              measured[rmse_number] <= share * beside["rmse"].high &&
                              measured[block_number] <= share * beside["block"].high;
         if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return;
