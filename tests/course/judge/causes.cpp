@@ -1,7 +1,6 @@
 #include "causes.h"
 
 #include <array>
-
 #include "command_line.h"
 #include "likely_mistakes.h"
 #include "picture_file.h"
