@@ -49,4 +49,4 @@ help:
 	@sed -n 's/^# make/make/p' $(filter Makefile %.mk,$(MAKEFILE_LIST))
 
 -include tests/goals.mk
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD)/*.d $(BUILD)/common $(BUILD)/tests -name '*.d' 2>/dev/null)

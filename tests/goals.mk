@@ -6,6 +6,7 @@
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
 # make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists
 # make portability  the output of every compiler and processor that this machine has tools for
+# make sanitizers   what runs the product, compiled by clang++ with its sanitizers
 # make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
 # make figures      draws the figures of README.md from the programs' output
@@ -15,7 +16,8 @@
 
 JUDGE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/judge.cpp,$(wildcard tests/course/judge/*.cpp)))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
-.PHONY: doctest test judge references handout grade grade_programs mutations portability fuzz bench figures seconds format-check
+.PHONY: O1 doctest test judge references handout grade grade_programs mutations portability sanitizers fuzz bench \
+    figures seconds format-check
 
 # The standard headers, read once.
 HEADERS = $(or $(PRECOMPILED),$(BUILD)/standard.h)
@@ -60,20 +62,31 @@ grade_programs: all $(BUILD)/compare $(ALONE)
 grade:
 	BUILD=$(BUILD) CXX=$(CXX) tests/course/grade "$(SUBMISSION)"
 
+# Compiled fast, and changing no bit: what several checks and the grade use.
+O1 = $(BUILD)/O1
+O1:
+	$(MAKE) CXXFLAGS=-O1 ARCH= CPPFLAGS= LDFLAGS= BUILD=$(O1) BIN=$(O1) PRECOMPILED=$(O1)/standard.h \
+	    grade_programs $(O1)/unit_tests $(O1)/common.a
+
 mutations:
 	BUILD=$(BUILD) tests/slow/mutations
 
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/slow/portability
 
+SANITIZED = $(BUILD)/sanitizers
+sanitizers:
+	$(MAKE) CXX=clang++ CPPFLAGS=-Werror CXXFLAGS="-O2 -g -fno-sanitize-recover=all -fsanitize=address,undefined" \
+	    BUILD=$(SANITIZED) BIN=$(SANITIZED) PRECOMPILED=$(SANITIZED)/standard.h all $(SANITIZED)/unit_tests $(SANITIZED)/compare
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run product
+
 FUZZ_SECONDS ?= 60
-FUZZ = $(BUILD)/fuzz
 FUZZERS = fuzz_environment fuzz_picture fuzz_command_line
 fuzz:
 	@tests/require_tool libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
-	    BUILD=$(FUZZ) $(FUZZERS:%=$(FUZZ)/%)
-	FUZZ=$(FUZZ) FUZZ_SECONDS=$(FUZZ_SECONDS) tests/slow/fuzz
+	    BUILD=$(BUILD)/fuzz PRECOMPILED=$(BUILD)/fuzz/standard.h $(FUZZERS:%=$(BUILD)/fuzz/%)
+	FUZZ=$(BUILD)/fuzz FUZZ_SECONDS=$(FUZZ_SECONDS) tests/slow/fuzz
 $(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/slow/%.o $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -fsanitize=fuzzer -o $@
 
