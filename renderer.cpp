@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <thread>
 
+using namespace bmc;
+
 namespace {
 
 struct Request {

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <memory>
 
+using namespace bmc;
+
 namespace {
 
 struct Command {

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <sstream>
 
+namespace bmc {
 namespace {
 
 void write_all(const std::string& output) {
@@ -174,3 +175,4 @@ std::function<void(double)> terminal_progress(const char* name) {
         shown = percent;
     };
 }
+}  // namespace bmc

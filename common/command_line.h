@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+namespace bmc {
 // A mistake of the caller's: what was given, what is allowed. Exit status 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
@@ -111,3 +112,4 @@ void require_file_output(const std::string& command);
 
 // Shows on stderr how much of a long work is done, if stderr is a terminal.
 std::function<void(double)> terminal_progress(const char* name);
+}  // namespace bmc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+namespace bmc {
 namespace {
 
 constexpr long max_lattice_samples = 1000000;
@@ -60,3 +61,4 @@ void require_possible(const RenderSettings& settings) {
                          std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
     require_closed_form(settings);
 }
+}  // namespace bmc

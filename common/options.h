@@ -7,6 +7,7 @@
 
 #include <vector>
 
+namespace bmc {
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
 constexpr long max_process_samples = 4096;
 
@@ -32,3 +33,4 @@ struct RenderOptions : ModelOptions {
 
 // Throws UsageError for settings that no picture can be rendered by.
 void require_possible(const RenderSettings& settings);
+}  // namespace bmc

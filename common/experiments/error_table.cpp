@@ -7,6 +7,7 @@
 
 #include "quadrature/gaussian_process.h"
 
+namespace bmc {
 namespace {
 
 constexpr long max_estimates = 100000;
@@ -105,3 +106,4 @@ std::string ErrorTables::report() const {
         text += (text.empty() ? "" : "\n\n") + error_report(each, error_table(each, settings));
     return text;
 }
+}  // namespace bmc

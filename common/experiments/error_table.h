@@ -8,6 +8,7 @@
 #include "experiments/integrands.h"
 #include "options.h"
 
+namespace bmc {
 struct ErrorSettings : ModelSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
     std::size_t mc_estimates = 100, bmc_estimates = 10;
@@ -44,3 +45,4 @@ struct ErrorTables {
     std::vector<Option> options();
     std::string report() const;
 };
+}  // namespace bmc

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+namespace bmc {
 using portable::pi;
 
 double dense_quadrature(const Integrand& integrand) {
@@ -42,3 +43,4 @@ DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, s
     Random random(settings.seed, (std::uint64_t{n} << 32) + e);
     return place_directions(settings.placement, n, random);
 }
+}  // namespace bmc

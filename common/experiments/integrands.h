@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 // A function over the hemisphere and its integral w.r.t. solid angle.
 struct Integrand {
     std::string name;
@@ -37,3 +38,4 @@ double apply(const QuadratureRule& rule, const Integrand& integrand);
 
 // The directions of estimate number e with n samples: the same in every experiment with this placement and seed.
 DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e);
+}  // namespace bmc

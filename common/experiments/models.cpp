@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+namespace bmc {
 namespace {
 
 constexpr std::size_t n = 40;
@@ -187,3 +188,4 @@ std::string Models::report() const {
     const std::vector<Column> columns = all_columns();
     return model_table(columns) + choice_table(columns) + coverage_table(columns);
 }
+}  // namespace bmc

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 struct Model {
     CovarianceFamily family;
     double parameter;
@@ -57,3 +58,4 @@ struct Models {
     std::vector<Option> options() { return {}; }
     std::string report() const;
 };
+}  // namespace bmc

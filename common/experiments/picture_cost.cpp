@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+namespace bmc {
 namespace {
 
 constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, cosine = Placement::cosine,
@@ -172,3 +173,4 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
     }
     return text;
 }
+}  // namespace bmc

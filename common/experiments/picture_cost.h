@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 struct CostSettings {
     int size = 64;           // of the pictures, size x size pixels
     std::uint64_t seed = 1;  // of the first picture, by the thousand
@@ -40,3 +41,4 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
 
 // A row for each picture; the first settings are classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
+}  // namespace bmc

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+namespace bmc {
 Truth truth_of(Image image) {
     std::vector<bool> mask(image.size());
     for_each_hit(sphere_scene(), {image.width(), image.height()},
@@ -51,3 +52,4 @@ double coverage(const Image& image, const Truth& truth, const Image& predicted) 
     }
     return within / all;
 }
+}  // namespace bmc

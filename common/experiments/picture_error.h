@@ -5,6 +5,7 @@
 
 #include <vector>
 
+namespace bmc {
 struct Truth {
     Image image;
     std::vector<bool> mask;  // which pixels show an object, row by row
@@ -29,3 +30,4 @@ ImageError image_error(const Image& image, const Truth& truth);
 
 // The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
 double coverage(const Image& image, const Truth& truth, const Image& predicted);
+}  // namespace bmc

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+namespace bmc {
 namespace {
 
 void add_sample(Samples& samples, const InputRow& row, std::size_t columns) {
@@ -85,3 +86,4 @@ std::string Rule::report() const {
     return text + matrix_block("Q", symmetric(covariance_matrix(*covariance, settings.noise, given.directions))) +
            matrix_block("Q^-1", process.inverse_covariance());
 }
+}  // namespace bmc

@@ -5,6 +5,7 @@
 
 #include <iosfwd>
 
+namespace bmc {
 // Directions, and what was measured in them if they come with values.
 struct Samples {
     std::vector<Vec3> directions;
@@ -28,3 +29,4 @@ struct Rule {
     std::vector<Option> options();
     std::string report() const;
 };
+}  // namespace bmc

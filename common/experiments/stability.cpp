@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+namespace bmc {
 namespace {
 
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
@@ -198,3 +199,4 @@ std::string Stability::report() const {
         digits_table(rows) + stability_verdict(rows);
     return all ? text + "\n\n" + errors_table(rows) : text;
 }
+}  // namespace bmc

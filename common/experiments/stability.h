@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 enum class SampleSet { random, duplicates, equator, pole, cluster };
 constexpr std::pair<const char*, SampleSet> sample_set_names[] = {{"random", SampleSet::random},
                                                                   {"duplicates", SampleSet::duplicates},
@@ -43,3 +44,4 @@ struct Stability {
     std::vector<Option> options();
     std::string report() const;
 };
+}  // namespace bmc

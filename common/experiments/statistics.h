@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+namespace bmc {
 // Welford, "Note on a method for calculating corrected sums of squares and products", Technometrics 1962.
 struct Statistics {
     double count = 0, mean = 0;
@@ -32,3 +33,4 @@ struct RootMeanSquare {
     // That of the mean square, over the derivative of the square.
     double standard_error() const { return value() > 0 ? squares.standard_error() / (2 * value()) : 0; }
 };
+}  // namespace bmc

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+namespace bmc {
 namespace {
 
 constexpr const char* stages[] = {"drawing directions", "building Q", "factoring Q", "computing z",
@@ -140,3 +141,4 @@ std::string Tradeoff::report() const {
     }
     return text;
 }
+}  // namespace bmc

@@ -5,6 +5,7 @@
 #include "experiments/integrands.h"
 #include "experiments/picture_cost.h"
 
+namespace bmc {
 struct IntegralCost {
     std::size_t samples;
     double mc_error;                    // root mean square, from the variance of the integrand
@@ -34,3 +35,4 @@ struct Tradeoff {
     std::vector<Option> options();
     std::string report() const;
 };
+}  // namespace bmc

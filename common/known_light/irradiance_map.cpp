@@ -5,6 +5,7 @@
 
 #include "known_light/texels_on_sphere.h"
 
+namespace bmc {
 namespace {
 
 using portable::SineCosine, portable::sincos_turns;
@@ -119,3 +120,4 @@ Color IrradianceMap::operator()(Vec3 normal) const {
     return (1 - down) * ((1 - right) * corner(0, 0) + right * corner(0, 1)) +
            down * ((1 - right) * corner(1, 0) + right * corner(1, 1));
 }
+}  // namespace bmc

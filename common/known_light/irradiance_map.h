@@ -8,6 +8,7 @@
 
 #include <vector>
 
+namespace bmc {
 class IrradianceMap {
 public:
     // Throws std::runtime_error where a radiance exceeds 1e36: its integrals would exceed the largest float.
@@ -21,3 +22,4 @@ private:
     TexelGrid grid_;
     std::vector<float> rgb_;
 };
+}  // namespace bmc

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+namespace bmc {
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
     if (light.sun().empty()) return 0;
     const double half = 0.5 * light.sun().share() * static_cast<double>(samples);
@@ -87,3 +88,4 @@ Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& li
         return 1 / portable::pi * (hit.albedo * irradiance);
     };
 }
+}  // namespace bmc

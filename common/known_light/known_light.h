@@ -16,6 +16,7 @@
 #include "known_light/prefiltered_environment.h"
 #include "scene/render.h"
 
+namespace bmc {
 // How many of a pixel's samples go to the sun: none where there is none, otherwise one at least.
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
 
@@ -53,3 +54,4 @@ VisibleSun visible_sun(const Scene& scene, const PrefilteredEnvironment& light, 
 // L_o, linear RGB, of a picture by these settings. Scene and light must outlive it.
 Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings,
                             const Progress& progress = nullptr);
+}  // namespace bmc

@@ -1,5 +1,6 @@
 #include "known_light/known_light_error.h"
 
+namespace bmc {
 namespace {
 
 MakeRule modelled_rules(const RenderSettings& sky, const PrefilteredEnvironment& light) {
@@ -67,3 +68,4 @@ ErrorOf error_of_known_light(const Scene& scene, const PrefilteredEnvironment& l
         return error;
     };
 }
+}  // namespace bmc

@@ -13,6 +13,7 @@
 #include "known_light/known_light.h"
 #include "prediction/predicted_error.h"
 
+namespace bmc {
 // A rule for the known light, and the process that gave it its weights; none for Monte Carlo.
 struct ModelledLightRule : KnownLightRule {
     std::optional<GaussianProcess> process;
@@ -30,3 +31,4 @@ Color variance_of_visible_sun(const Scene& scene, const PrefilteredEnvironment& 
 // Of a picture by these settings. Scene and light must outlive it.
 ErrorOf error_of_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings,
                              const Progress& progress = nullptr);
+}  // namespace bmc

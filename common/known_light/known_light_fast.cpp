@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+namespace bmc {
 namespace {
 
 // A texel and the float behind it, which one instruction loads and widens.
@@ -47,3 +48,4 @@ Color visible_sky_fast(const Scene& scene, const Hit& hit, const KnownLightRule&
     const Quotient sky{{all[0], all[1], all[2]}, {visible[0], visible[1], visible[2]}};
     return sky.fraction();
 }
+}  // namespace bmc

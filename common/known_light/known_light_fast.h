@@ -3,4 +3,6 @@
 
 #include "known_light/known_light.h"
 
+namespace bmc {
 Color visible_sky_fast(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame);
+}  // namespace bmc

@@ -1,5 +1,6 @@
 #include "known_light/picture.h"
 
+namespace bmc {
 void PictureSettings::set_known(Known part) {
     light_known = part == Known::light;
     known = part == Known::nothing ? KnownPart::nothing : KnownPart::cosine;
@@ -32,3 +33,4 @@ ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, c
                                     : error_of_picture(scene, light.environment, tried);
     });
 }
+}  // namespace bmc

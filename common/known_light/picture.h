@@ -4,6 +4,7 @@
 #include "known_light/known_light_error.h"
 #include "prediction/pilot.h"
 
+namespace bmc {
 // What a picture shows of each point: the light that it reflects, or the standard error that is predicted for that.
 enum class Show { picture, error };
 constexpr std::pair<const char*, Show> show_names[] = {{"picture", Show::picture}, {"error", Show::error}};
@@ -37,3 +38,4 @@ Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSe
 // most: at least 4. Throws std::runtime_error if so many do not suffice.
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const EnvironmentLight& light,
                           const PictureSettings& settings);
+}  // namespace bmc

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+namespace bmc {
 namespace {
 
 UsageError too_few() {
@@ -61,3 +62,4 @@ Image asked_picture(const EnvironmentMap& environment, PictureSettings settings,
     if (settings.rmse == 0) tell_prediction(settings, rmse);
     return format == Format::ppm ? grey_scale(image, 2 * rmse) : image;
 }
+}  // namespace bmc

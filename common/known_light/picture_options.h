@@ -4,6 +4,7 @@
 #include "known_light/picture.h"
 #include "options.h"
 
+namespace bmc {
 // Monte Carlo takes one of a process's options: that the light is known.
 struct PictureOptions : RenderOptions {
     Option rmse, show;
@@ -19,3 +20,4 @@ void require_predictable(const PictureSettings& settings);
 // do.
 Image asked_picture(const EnvironmentMap& environment, PictureSettings settings, Format format,
                     const Progress& progress);
+}  // namespace bmc

@@ -4,6 +4,7 @@
 #include "quadrature/hemisphere.h"
 #include "scene/parallel.h"
 
+namespace bmc {
 namespace {
 
 using portable::pi;
@@ -94,3 +95,4 @@ const LightTable& PrefilteredEnvironment::table(double solid_angle) const {
         ++i;
     return tables_[i];
 }
+}  // namespace bmc

@@ -8,6 +8,7 @@
 
 #include <optional>
 
+namespace bmc {
 // Light as a table of directions, linear RGB: texel i of TexelGrid(columns, rows) is at rgb[3 i], and after the last
 // one stands the padding of an EnvironmentMap.
 struct LightTable {
@@ -58,3 +59,4 @@ private:
     std::vector<std::vector<float>> averages_;
     std::vector<LightTable> tables_;
 };
+}  // namespace bmc

@@ -4,6 +4,7 @@
 
 #include "known_light/texels_on_sphere.h"
 
+namespace bmc {
 namespace {
 
 constexpr double sun_threshold = 100;  // times the mean
@@ -60,3 +61,4 @@ EnvironmentMap Sun::keep(Part part) const {
         for (std::size_t i = 3 * texel.index; i < 3 * texel.index + 3; ++i) std::swap(sun[i], sky[i]);
     return EnvironmentMap(map_.width(), map_.height(), std::move(part == Part::sun ? sun : sky));
 }
+}  // namespace bmc

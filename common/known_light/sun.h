@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+namespace bmc {
 class Sun {
 public:
     explicit Sun(const EnvironmentMap& map);
@@ -42,3 +43,4 @@ private:
     double all_;
     std::vector<Texel> texels_;
 };
+}  // namespace bmc

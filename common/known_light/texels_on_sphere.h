@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+namespace bmc {
 // The texels that have a solid angle, which the last row and the last column of a map have not (a single one has).
 // Where there are too few of them, each is cut into equal pieces.
 class TexelsOnSphere {
@@ -54,3 +55,4 @@ inline std::size_t count_above(const std::vector<double>& falling, double x) {
     const auto end = std::partition_point(falling.begin(), falling.end(), [x](double y) { return y > x; });
     return static_cast<std::size_t>(end - falling.begin());
 }
+}  // namespace bmc

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+namespace bmc {
 NotPositiveDefinite::NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least)
     : std::runtime_error(formatted("the matrix is not positive definite: pivot %zu is %.3g and must exceed %.2g; raise "
                                    "the noise",
@@ -82,3 +83,4 @@ double Cholesky::log_determinant() const {
     for (std::size_t k = 0; k < size(); ++k) sum += portable::log(upper_(k, k));
     return 2 * sum;
 }
+}  // namespace bmc

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 // Thrown where a pivot is not positive or too small to be told from 0: the pivot of row k is a_kk less k squares, none
 // larger than a_kk, and must exceed the rounding error of these k + 1 operations, (k + 1) eps a_kk (Higham, "Accuracy
 // and Stability of Numerical Algorithms", 2002, section 10.1). The rule sees this row alone. What the rows above have
@@ -56,3 +57,4 @@ public:
 private:
     Matrix upper_;
 };
+}  // namespace bmc

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+namespace bmc {
 namespace {
 
 constexpr std::size_t strip = 64;  // columns that are worked on at a time, so that their rows stay in the cache
@@ -69,3 +70,4 @@ Matrix inverse_fast(const Matrix& upper) {
     }
     return inverse;
 }
+}  // namespace bmc

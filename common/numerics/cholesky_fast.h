@@ -3,6 +3,8 @@
 
 #include "numerics/matrix.h"
 
+namespace bmc {
 void factor_fast(Matrix& a);
 
 Matrix inverse_fast(const Matrix& upper);
+}  // namespace bmc

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+namespace bmc {
 // The text that printf would print, cut after 319 characters.
 template <class... Arguments>
 std::string formatted(const char* format, Arguments... arguments) {
@@ -11,3 +12,4 @@ std::string formatted(const char* format, Arguments... arguments) {
     std::snprintf(text, sizeof text, format, arguments...);
     return text;
 }
+}  // namespace bmc

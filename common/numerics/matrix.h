@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace bmc {
 class Matrix {
 public:
     // A rows x columns matrix of zeros.
@@ -49,3 +50,4 @@ inline Matrix symmetric(Matrix upper) {
         for (std::size_t j = 0; j < i; ++j) upper(i, j) = upper(j, i);
     return upper;
 }
+}  // namespace bmc

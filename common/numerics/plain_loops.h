@@ -2,4 +2,6 @@
 // They take longer and give the same bits.
 #pragma once
 
+namespace bmc {
 inline bool plain_loops = false;
+}  // namespace bmc

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace portable {
+namespace bmc::portable {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -160,4 +160,4 @@ SineCosine sincos_turns(double turns) {
     return {c * sine + s * cosine, c * cosine - s * sine};
 }
 
-}  // namespace portable
+}  // namespace bmc::portable

@@ -31,7 +31,7 @@
 static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-bit x86 use -msse2 -mfpmath=sse");
 #endif
 
-namespace portable {
+namespace bmc::portable {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -71,4 +71,4 @@ struct SineCosine {
 };
 SineCosine sincos_turns(double turns);
 
-}  // namespace portable
+}  // namespace bmc::portable

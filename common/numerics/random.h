@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+namespace bmc {
 class Random {
 public:
     Random(std::uint64_t seed, std::uint64_t stream) : state_(mix(mix(seed + increment) + stream)) {}
@@ -27,3 +28,4 @@ private:
 
     std::uint64_t state_;
 };
+}  // namespace bmc

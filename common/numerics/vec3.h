@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+namespace bmc {
 struct Vec3 {
     double x = 0, y = 0, z = 0;
 };
@@ -36,3 +37,4 @@ struct Direction {
 
 inline Direction operator+(Direction a, Direction b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Direction operator*(float s, Direction v) { return {s * v.x, s * v.y, s * v.z}; }
+}  // namespace bmc

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+namespace bmc {
 Pilot run_pilot(const Scene& scene, const RenderSettings& settings, const ErrorOf& error_of) {
     const Camera camera{settings.width, settings.height};
     const int across = std::max(1, settings.width / 32), down = std::max(1, settings.height / 32);
@@ -65,3 +66,4 @@ ChosenSamples samples_for(double target, std::size_t least, std::size_t most, co
     const std::size_t chosen = std::clamp(static_cast<std::size_t>(std::ceil(wanted)), lower + 1, samples);
     return {chosen, rmse_of_lower * portable::pow(static_cast<double>(chosen) / first, slope)};
 }
+}  // namespace bmc

@@ -4,6 +4,7 @@
 
 #include "prediction/predicted_error.h"
 
+namespace bmc {
 struct Pilot {
     Color squared_amplitude;  // a^2, the mean over the pixels that show an object
     double rmse;              // predicted, of linear radiance over these pixels and all colours
@@ -29,3 +30,4 @@ struct ChosenSamples {
 // error_of throws.
 ChosenSamples samples_for(double target, std::size_t least, std::size_t most, const Scene& scene,
                           RenderSettings settings, const std::function<ErrorOf(const RenderSettings&)>& error_of);
+}  // namespace bmc

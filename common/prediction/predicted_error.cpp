@@ -3,6 +3,7 @@
 #include <numeric>
 #include <stdexcept>
 
+namespace bmc {
 namespace {
 
 // f at a direction of a process is the light, times the cosine unless that is known; a sample of Monte Carlo is what
@@ -104,3 +105,4 @@ std::vector<double> deviations(std::vector<double> values) {
     for (double& value : values) value -= mean;
     return values;
 }
+}  // namespace bmc

@@ -10,6 +10,7 @@
 
 #include <optional>
 
+namespace bmc {
 struct PixelError {
     Color squared_amplitude;  // a^2
     Color unit_variance;      // U
@@ -53,3 +54,4 @@ double sum_of_squares(const std::vector<double>& values);
 
 // Each value less their mean. Throws std::invalid_argument for one value.
 std::vector<double> deviations(std::vector<double> values);
+}  // namespace bmc

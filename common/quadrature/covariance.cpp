@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace bmc {
 using portable::pi;
 
 namespace {
@@ -187,3 +188,4 @@ std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double para
     if (family == CovarianceFamily::sobolev) return std::make_unique<Sobolev>(parameter);
     return std::make_unique<SquaredExponential>(parameter);
 }
+}  // namespace bmc

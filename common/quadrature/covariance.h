@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+namespace bmc {
 // What is known of the integrand: p = 1, or p = cos(theta), which leaves the incident radiance to be modelled.
 enum class KnownPart { nothing, cosine };
 constexpr std::pair<const char*, KnownPart> known_part_names[] = {{"nothing", KnownPart::nothing},
@@ -91,3 +92,4 @@ constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
 
 // Throws what the family's constructor throws.
 std::unique_ptr<Covariance> make_covariance(CovarianceFamily family, double parameter);
+}  // namespace bmc

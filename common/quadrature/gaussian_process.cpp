@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+namespace bmc {
 namespace {
 
 double sum_of_products(const std::vector<double>& a, const std::vector<double>& b) {
@@ -103,3 +104,4 @@ void GaussianProcess::require_one_value_per_direction(const std::vector<double>&
         throw std::invalid_argument("a Gaussian process of " + std::to_string(directions_.size()) +
                                     " directions was given " + std::to_string(values.size()) + " values");
 }
+}  // namespace bmc

@@ -13,6 +13,7 @@
 
 #include <vector>
 
+namespace bmc {
 class GaussianProcess {
 public:
     // n >= 1 unit directions in the upper hemisphere; noise >= 0 is the standard deviation of the samples' error in
@@ -68,3 +69,4 @@ std::vector<double> hemisphere_integrals(const Covariance& covariance, const std
 
 // Q, n x n, its upper triangle only: what Cholesky reads.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);
+}  // namespace bmc

@@ -1,5 +1,6 @@
 #include "quadrature/hemisphere.h"
 
+namespace bmc {
 namespace {
 
 Vec3 direction_at(double cos_theta, double turns) {
@@ -60,3 +61,4 @@ Frame Frame::rotated(double turns) const {
     frame.bitangent = sine * tangent + cosine * bitangent;
     return frame;
 }
+}  // namespace bmc

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+namespace bmc {
 // n independent directions, uniform w.r.t. solid angle (density 1 / 2 pi), by Archimedes' theorem: the elevation cosine
 // is uniform in (0, 1]. Draws the cosine first, then the azimuth.
 std::vector<Vec3> uniform_directions(std::size_t n, Random& random);
@@ -42,3 +43,4 @@ struct Frame {
         return local.x * Direction(tangent) + local.y * Direction(normal) + local.z * Direction(bitangent);
     }
 };
+}  // namespace bmc

@@ -1,5 +1,6 @@
 #include "quadrature/quadrature.h"
 
+namespace bmc {
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
     if (placement == Placement::uniform) return {placement, uniform_directions(n, random)};
     if (placement == Placement::cosine) return {placement, cosine_directions(n, random)};
@@ -25,3 +26,4 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
     const GaussianProcess process(covariance, noise, std::move(directions), known);
     return {process.directions(), process.weights(), known};
 }
+}  // namespace bmc

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
 // known part: 1, or cos(theta). Rotating the directions about the up axis gives a rule of the same quality.
 struct QuadratureRule {
@@ -60,6 +61,7 @@ struct ModelSettings {
 
     // Throws std::invalid_argument as the covariance's constructor does.
     std::unique_ptr<Covariance> make_covariance() const {
-        return ::make_covariance(covariance, covariance == CovarianceFamily::sobolev ? smoothness : length_scale);
+        return bmc::make_covariance(covariance, covariance == CovarianceFamily::sobolev ? smoothness : length_scale);
     }
 };
+}  // namespace bmc

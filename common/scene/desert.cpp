@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+namespace bmc {
 namespace {
 
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
@@ -171,3 +172,4 @@ EnvironmentMap load_environment(const std::string& name, unsigned threads) {
     read_input(name, [&](std::istream& in) { map = read_radiance_hdr(in); });
     return std::move(*map);
 }
+}  // namespace bmc

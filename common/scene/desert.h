@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 // Maps of 1024 x 512 texels of linear RGB radiance.
 //   desert           an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the
 //                    arch; radiance in [0, 1]
@@ -23,3 +24,4 @@ EnvironmentMap load_environment(const std::string& name = "desert", unsigned thr
 constexpr const char* environment_help =
     "light from a Radiance .hdr file, bright-desert (its sun a thousand times brighter) or black-and-white (half of "
     "the directions bring light)";
+}  // namespace bmc

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+namespace bmc {
 EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
     : grid_(width, height), rgb_(std::move(rgb)) {
     const std::int64_t texels = std::int64_t{width} * height;
@@ -36,3 +37,4 @@ Color EnvironmentMap::interpolated_radiance(Vec3 direction) const {
     };
     return (1 - t) * row(above) + t * row(above + 1);
 }
+}  // namespace bmc

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+namespace bmc {
 // The texels of a map of so many columns and rows, apart from their radiance.
 class TexelGrid {
 public:
@@ -118,3 +119,4 @@ private:
     TexelGrid grid_;
     std::vector<float> rgb_;
 };
+}  // namespace bmc

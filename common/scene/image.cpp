@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+namespace bmc {
 namespace {
 
 std::string header(const char* magic, const Image& image, const char* scale) {
@@ -76,3 +77,4 @@ std::string to_pfm(const Image& image) {
         }
     return bytes;
 }
+}  // namespace bmc

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 class Image {
 public:
     // A black image. width and height are at least 1.
@@ -50,3 +51,4 @@ std::string to_ppm(const Image& image);
 
 // PFM ("PF"), 32-bit linear floats, little-endian (the header's -1), bottom row first as the format asks.
 std::string to_pfm(const Image& image);
+}  // namespace bmc

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+namespace bmc {
 void fail(std::size_t line, const std::string& problem) {
     throw std::runtime_error("line " + std::to_string(line) + ": " + problem);
 }
@@ -70,3 +71,4 @@ std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows) {
     if (rows.empty()) throw std::runtime_error("there are no numbers in it");
     return rows;
 }
+}  // namespace bmc

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 // Calls read with the bytes of the file, or of standard input if its name is "-". Throws std::runtime_error, one line
 // that begins with the file's name, if the file cannot be opened or read throws.
 void read_input(const std::string& file, const std::function<void(std::istream&)>& read);
@@ -25,3 +26,4 @@ struct InputRow {
 // The lines, ended in LF, CR LF or CR, that hold numbers, between white space or commas, before a '#'. Throws
 // std::runtime_error that names the line for what is no finite number, and for none or more than max_rows of them.
 std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows);
+}  // namespace bmc

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+namespace bmc {
 Progress part_of(const Progress& whole, double begin, double end) {
     if (!whole) return nullptr;
     return [=](double done) { whole(begin + (end - begin) * done); };
@@ -32,3 +33,4 @@ void for_each_row(int rows, unsigned threads, const std::function<void(int)>& ro
     for (std::future<void>& helper : helpers) helper.get();
     if (progress) progress(1);
 }
+}  // namespace bmc

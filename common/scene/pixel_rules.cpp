@@ -1,5 +1,6 @@
 #include "scene/pixel_rules.h"
 
+namespace bmc {
 namespace {
 
 // How many rules pixels share.
@@ -93,3 +94,4 @@ PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
     const double turns = random.uniform();
     return settings_.method == Method::pool ? pool(normal, u, turns) : rotated(normal, turns);
 }
+}  // namespace bmc

@@ -6,6 +6,7 @@
 #include "scene/parallel.h"
 #include "scene/reflection.h"
 
+namespace bmc {
 enum class Method {
     mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: turned at random)
     direct,   // a fresh Gaussian process on fresh directions for every pixel
@@ -72,3 +73,4 @@ private:
     std::vector<std::shared_ptr<const PixelRule>> owned_rules_;
     std::vector<std::shared_ptr<const PixelRule>> shared_rules_;  // without owners, whose count threads would fight for
 };
+}  // namespace bmc

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+namespace bmc {
 namespace {
 
 class RadianceReader {
@@ -168,3 +169,4 @@ std::string to_radiance_hdr(const EnvironmentMap& map) {
     }
     return bytes;
 }
+}  // namespace bmc

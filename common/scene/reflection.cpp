@@ -3,6 +3,7 @@
 #include "numerics/plain_loops.h"
 #include "scene/reflection_fast.h"
 
+namespace bmc {
 // BEGIN SOLUTION shade
 // The cosine belongs to the weights unless it is the rule's known part, which its weights have in them.
 CosineRule cosine_rule(const QuadratureRule& rule) {
@@ -29,3 +30,4 @@ Color reflected_light(const Scene& scene, const EnvironmentMap& environment, con
     return 1 / portable::pi * (hit.albedo * irradiance);
 }
 // END SOLUTION
+}  // namespace bmc

@@ -7,6 +7,7 @@
 #include "scene/environment.h"
 #include "scene/scene.h"
 
+namespace bmc {
 // A rule for the integral of f cos(theta) dw over H, where f is to be sampled: cos(theta) is in its weights. An array
 // for each component, so that neighbouring directions can be worked on side by side, eight at a time: after the last
 // one stand eight zeros.
@@ -32,3 +33,4 @@ CosineRule cosine_rule(const QuadratureRule& rule);
 // L_o, linear RGB, by a rule that the frame carries to the surface.
 Color reflected_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const CosineRule& rule,
                       const Frame& frame);
+}  // namespace bmc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+namespace bmc {
 namespace {
 
 // A texel and the float behind it, which one instruction loads and widens.
@@ -38,3 +39,4 @@ Color reflected_light_fast(const Scene& scene, const EnvironmentMap& environment
     }
     return 1 / portable::pi * (hit.albedo * Color{irradiance[0], irradiance[1], irradiance[2]});
 }
+}  // namespace bmc

@@ -3,5 +3,7 @@
 
 #include "scene/reflection.h"
 
+namespace bmc {
 Color reflected_light_fast(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
                            const CosineRule& rule, const Frame& frame);
+}  // namespace bmc

@@ -1,5 +1,6 @@
 #include "scene/render.h"
 
+namespace bmc {
 Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings,
              const Progress& progress) {
     const double share = PixelRules::share_of_work(settings);
@@ -26,3 +27,4 @@ Image render(const Scene& scene, const EnvironmentMap& background, const RenderS
     for_each_row(settings.height, settings.threads, row, progress);
     return image;
 }
+}  // namespace bmc

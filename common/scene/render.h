@@ -7,6 +7,7 @@
 #include "scene/image.h"
 #include "scene/pixel_rules.h"
 
+namespace bmc {
 // The image of linear radiance. Throws what the Gaussian processes throw.
 Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings,
              const Progress& progress = nullptr);
@@ -17,3 +18,4 @@ using Shade = std::function<Color(const Hit&, Random&)>;
 // The image of these colours; a pixel that shows no object shows the background.
 Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade,
              const Progress& progress = nullptr);
+}  // namespace bmc

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+namespace bmc {
 namespace {
 
 // Distance along the ray to the object, if it lies ahead.
@@ -47,3 +48,4 @@ double object_pixels(const Scene& scene, const Camera& camera) {
     for_each_hit(scene, camera, [&](int, int, const Hit&) { ++count; });
     return count;
 }
+}  // namespace bmc

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+namespace bmc {
 struct Ray {
     Vec3 origin;
     Vec3 direction;  // unit length
@@ -97,3 +98,4 @@ template <class Vector>
 bool is_shadowed(const Scene& scene, const Hit& hit, Vector direction) {
     return of_other_object(scene, hit, [&](const auto& other) { return is_shadowed_by(other, hit.point, direction); });
 }
+}  // namespace bmc

@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include <stdexcept>
 
+using namespace bmc;
+
 namespace {
 
 double only_rounding_is_zero(double value) { return std::fabs(value) < 1e-9 ? 0 : value; }

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+using namespace bmc;
+
 namespace {
 
 double first_z = 1;

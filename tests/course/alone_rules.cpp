@@ -12,6 +12,7 @@
 #include <set>
 #include <stdexcept>
 
+using namespace bmc;
 using portable::pi;
 
 namespace {

@@ -11,6 +11,8 @@
 #include <map>
 #include <utility>
 
+using namespace bmc;
+
 namespace {
 
 bool agree(double reference, double actual, double tolerance) {

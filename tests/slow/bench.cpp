@@ -13,6 +13,8 @@
 #include "quadrature/gaussian_process.h"
 #include "scene/desert.h"
 
+using namespace bmc;
+
 #ifdef COMPARE_LAPACK
 extern "C" {
 void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);

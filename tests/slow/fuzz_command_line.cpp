@@ -18,6 +18,8 @@
 #include <cstdlib>
 #include <thread>
 
+using namespace bmc;
+
 // Whatever the programs include is included above: inside a namespace nothing may be included for the first time.
 namespace renderer_program {
 #include "../../renderer.cpp"

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+using namespace bmc;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     std::istringstream in(std::string(bytes, bytes + size));
     try {

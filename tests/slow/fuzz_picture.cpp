@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+using namespace bmc;
+
 namespace {
 
 template <class Read>

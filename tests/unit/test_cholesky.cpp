@@ -5,7 +5,7 @@
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -62,15 +62,15 @@ double residual_of_inverse(const Matrix& a) {
 }
 
 // What becomes of a matrix: the elements of the factor and of the inverse, or the pivot and the text of the refusal.
-struct Outcome {
+struct Factoring {
     std::vector<double> numbers;
     std::string text;
 };
 
-Outcome outcome(const Matrix& a, bool plain) {
+Factoring outcome(const Matrix& a, bool plain) {
     const std::size_t count = a.rows() * a.rows();
     plain_loops = plain;
-    Outcome result;
+    Factoring result;
     try {
         const Cholesky cholesky(a);
         const Matrix inverse = cholesky.inverse();
@@ -89,7 +89,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 
 // Whether the fast twin does with a matrix what the plain text does, bit for bit.
 bool twins_agree(const Matrix& a) {
-    const Outcome plain = outcome(a, true), fast = outcome(a, false);
+    const Factoring plain = outcome(a, true), fast = outcome(a, false);
     return same_bits(plain.numbers, fast.numbers) && plain.text == fast.text;
 }
 
@@ -129,7 +129,7 @@ TEST_CASE(
         for (std::size_t k = 0; k < n; k += n < 100 ? 1 : 13) {
             Matrix a = random_spd(n, 1);
             a(k, k) = -1;
-            const Outcome refusal = outcome(a, true);
+            const Factoring refusal = outcome(a, true);
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t j = 0; j < i; ++j) a(i, j) = std::nan("");
             CAPTURE(n);

@@ -1,7 +1,6 @@
 #include "command_line.h"
 
-#include <doctest/doctest.h>
-#include "parsed_words.h"
+#include "test.h"
 
 TEST_CASE("options take values in both spellings and leave the rest") {
     std::string value;

@@ -2,7 +2,7 @@
 
 #include "quadrature/hemisphere.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,8 +1,6 @@
 #include "quadrature/hemisphere.h"
 #include "scene/desert.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +8,8 @@
 
 #include "scene/radiance_hdr.h"
 #include "scene/render.h"
+
+#include "test.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "numerics/random.h"
 #include "scene/environment.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,8 @@
 #include "experiments/error_table.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
-
-#include "rows_of.h"
 
 TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
     // Normal errors: E |error| = sqrt(2 / pi) * 2 pi sqrt(1/12 / n) for cos(theta); the mean of 4000 has a relative

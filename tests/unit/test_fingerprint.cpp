@@ -1,6 +1,6 @@
 #include "../course/judge/fingerprint.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "quadrature/hemisphere.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "scene/image.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 

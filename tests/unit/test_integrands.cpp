@@ -2,7 +2,7 @@
 #include "experiments/models.h"
 #include "scene/desert.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #include "quadrature/hemisphere.h"
 #include "scene/desert.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 #include <cmath>

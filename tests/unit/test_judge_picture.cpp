@@ -1,13 +1,13 @@
 #include "../course/judge/judge_picture.h"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include "command_line.h"
 #include "scene/desert.h"
+
+#include "test.h"
 
 namespace {
 
@@ -23,12 +23,7 @@ PictureSettings settings_of(Method method, std::size_t samples = 40) {
     return settings;
 }
 
-const EnvironmentMap& desert() {
-    static const EnvironmentMap map = load_environment();
-    return map;
-}
-
-Image rendered(Method method) { return render(sphere_scene(), desert(), settings_of(method)); }
+Image rendered(Method method) { return render(sphere_scene(), desert, settings_of(method)); }
 
 PictureFile written(const Image& image, bool as_floats = false) {
     std::istringstream file(as_floats ? to_pfm(image) : to_ppm(image));
@@ -46,12 +41,12 @@ Judgement judged(const PictureFile& picture, const EnvironmentMap& map, const Pi
     const PrefilteredEnvironment prefiltered(map);
     return judge(picture, expect({map, &prefiltered}, settings, picture));
 }
-Judgement judged(const PictureFile& picture, Method method) { return judged(picture, desert(), settings_of(method)); }
+Judgement judged(const PictureFile& picture, Method method) { return judged(picture, desert, settings_of(method)); }
 
 // What is said of a wrong picture of a pool.
 std::string reason(const Image& image, bool as_floats = false) {
-    static const PrefilteredEnvironment prefiltered(desert());
-    static const EnvironmentLight light{desert(), &prefiltered};
+    static const PrefilteredEnvironment prefiltered(desert);
+    static const EnvironmentLight light{desert, &prefiltered};
     static const Expected codes = expect(light, settings_of(Method::pool), written(image)),
                           floats = expect(light, settings_of(Method::pool), written(image, true));
     const Judgement judgement = judge(written(image, as_floats), as_floats ? floats : codes);
@@ -86,7 +81,7 @@ TEST_CASE("pictures of every method are within what correct programs do, as code
 TEST_CASE("a program that rounds codes down and shows single texels in the background is correct") {
     const Image image = rendered(Method::pool);
     const Image texels = image_of(side, side, [&](int x, int y) {
-        return shows_object(x, y) ? image(x, y) : desert().radiance(camera.ray(x, y).direction);
+        return shows_object(x, y) ? image(x, y) : desert.radiance(camera.ray(x, y).direction);
     });
     for (const int maxval : {255, 31}) {
         CAPTURE(maxval);
@@ -177,7 +172,7 @@ TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta)
             for (const Vec3& local : directions) {
                 const Vec3 direction = frame.to_world(local);
                 if (!shadows || !is_shadowed(sphere_scene(), *hit, direction))
-                    sum += portable::pow(local.y, power) * desert().radiance(direction);
+                    sum += portable::pow(local.y, power) * desert.radiance(direction);
             }
             return 1.0 / 1000 * (hit->albedo * sum);  // 2 pi / n, times 1 / pi
         });
@@ -188,8 +183,8 @@ TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta)
 }
 
 TEST_CASE("streaks are found, and the pixels that share random numbers are named") {
-    const PrefilteredEnvironment prefiltered(desert());
-    const Truth truth = dense_truth({desert(), &prefiltered}, settings_of(Method::mc), 500);
+    const PrefilteredEnvironment prefiltered(desert);
+    const Truth truth = dense_truth({desert, &prefiltered}, settings_of(Method::mc), 500);
     std::vector<double> noise;  // of every column, about as much as a pool has
     Random random(3, 0);
     for (int x = 0; x < side; ++x) noise.push_back(1 + 0.16 * (random.uniform() - 0.5));
@@ -204,7 +199,7 @@ TEST_CASE("streaks are found, and the pixels that share random numbers are named
 TEST_CASE("a rule that is not turned is found and named" * doctest::test_suite("long")) {
     PictureSettings settings = settings_of(Method::single);
     settings.seed = 6;
-    const PictureFile picture = written(render(sphere_scene(), desert(), settings));
+    const PictureFile picture = written(render(sphere_scene(), desert, settings));
     CHECK(judged(picture, Method::rotated).reason ==
           "likely: neighbouring pixels share random numbers, or rules that are not turned");
 }

@@ -1,6 +1,6 @@
 #include "numerics/matrix.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 TEST_CASE("a matrix starts at zero and is stored row by row") {
     Matrix matrix(2, 3);

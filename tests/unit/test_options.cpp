@@ -1,7 +1,6 @@
 #include "known_light/picture_options.h"
 
-#include <doctest/doctest.h>
-#include "parsed_words.h"
+#include "test.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "scene/parallel.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <atomic>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 #include "experiments/statistics.h"
 #include "scene/desert.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "experiments/picture_error.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 

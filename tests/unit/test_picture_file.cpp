@@ -1,6 +1,6 @@
 #include "../course/judge/picture_file.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 #include <sstream>

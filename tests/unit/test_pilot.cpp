@@ -1,8 +1,6 @@
 #include "prediction/pilot.h"
 
-#include <doctest/doctest.h>
-
-#include "pictures.h"
+#include "test.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "numerics/random.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 #include <cfloat>

@@ -1,6 +1,6 @@
 #include "prediction/predicted_error.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <algorithm>
 

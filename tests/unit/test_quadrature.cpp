@@ -2,7 +2,7 @@
 
 #include "quadrature/gaussian_process.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 

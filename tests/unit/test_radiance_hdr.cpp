@@ -1,7 +1,5 @@
 #include "scene/radiance_hdr.h"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,8 @@
 #include <vector>
 
 #include "numerics/random.h"
+
+#include "test.h"
 
 namespace {
 

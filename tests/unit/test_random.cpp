@@ -1,6 +1,6 @@
 #include "numerics/random.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 #include <set>

@@ -2,9 +2,7 @@
 
 #include "numerics/plain_loops.h"
 
-#include <doctest/doctest.h>
-
-#include "pictures.h"
+#include "test.h"
 
 namespace {
 

@@ -1,6 +1,4 @@
-#include "pictures.h"
-
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 

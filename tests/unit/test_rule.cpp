@@ -1,12 +1,10 @@
 #include "experiments/rule.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-
-#include "rows_of.h"
 
 namespace {
 

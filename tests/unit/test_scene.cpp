@@ -2,7 +2,7 @@
 
 #include "quadrature/hemisphere.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 TEST_CASE("the camera sees 60 degrees vertically, through pixel centres, row 0 at the top") {
     const Camera camera{3, 3};

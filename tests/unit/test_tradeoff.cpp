@@ -1,6 +1,6 @@
 #include "experiments/tradeoff.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 #include <cmath>
 

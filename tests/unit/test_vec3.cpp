@@ -1,6 +1,6 @@
 #include "numerics/vec3.h"
 
-#include <doctest/doctest.h>
+#include "test.h"
 
 TEST_CASE("a normalised vector has length 1 to rounding and keeps its direction") {
     const Vec3 v = normalize({3, -4, 12});

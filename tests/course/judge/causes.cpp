@@ -6,6 +6,7 @@
 #include "picture_file.h"
 #include "quadrature/hemisphere.h"
 
+namespace bmc {
 namespace {
 
 constexpr const char* wrong_integrands[] = {"cos(theta) twice", "cos(theta) is missing", "no shadows",
@@ -87,3 +88,4 @@ void explain_objects(const Image& picture, const Truth& truth, const Environment
         consider({formatted("one factor for all objects, %.3g: perhaps %s", factor, reason), picture,
                   times(factor, 1, truth)});
 }
+}  // namespace bmc

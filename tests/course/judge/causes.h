@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+namespace bmc {
 // A mistake explains a picture if `picture` is a correct picture of `truth`: the mistake is undone in the one or made
 // in the other.
 struct Explanation {
@@ -22,3 +23,4 @@ void explain_whole(const Image& picture, const Truth& truth, int maxval, const C
 // The same for those that change objects only, in pictures with so many samples a pixel.
 void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
                      const Consider& consider);
+}  // namespace bmc

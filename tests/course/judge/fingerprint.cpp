@@ -7,6 +7,7 @@
 #include "experiments/statistics.h"
 #include "numerics/cholesky.h"
 
+namespace bmc {
 namespace {
 
 double itself(double x) { return x; }
@@ -203,3 +204,4 @@ Comparison compare(const Fingerprint& measured, const std::vector<Fingerprint>& 
     comparison.quantities.push_back({"together", joint_deviation(measured, correct), 0, 0, accepted_joint_deviation});
     return comparison;
 }
+}  // namespace bmc

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+namespace bmc {
 // RMSE, brightness and correlation as in ImageError; "alike", the fraction of neighbours whose errors differ by less
 // than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels. Then the
 // mean error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square
@@ -63,3 +64,4 @@ struct Comparison {
     bool fits() const;
 };
 Comparison compare(const Fingerprint& measured, const std::vector<Fingerprint>& correct, Accepted accepted);
+}  // namespace bmc

@@ -4,6 +4,8 @@
 #include "scene/desert.h"
 #include "scene/input.h"
 
+using namespace bmc;
+
 namespace {
 
 struct Request {

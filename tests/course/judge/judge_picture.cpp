@@ -7,6 +7,7 @@
 
 #include "command_line.h"
 
+namespace bmc {
 namespace {
 
 // Leaves an RMSE of 0.0003, where 40 samples of the best method leave 0.005; of 0.02 under the sun of bright-desert,
@@ -216,3 +217,4 @@ Judgement judge(const PictureFile& picture, const Expected& expected) {
     judgement.reason = cause.empty() ? place_of(view, expected, comparison) : "likely: " + cause;
     return judgement;
 }
+}  // namespace bmc

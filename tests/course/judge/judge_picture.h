@@ -6,6 +6,7 @@
 #include "fingerprint.h"
 #include "picture_file.h"
 
+namespace bmc {
 // What is expected of pictures in one kind of file.
 struct Expected {
     PictureSettings settings;
@@ -31,3 +32,4 @@ struct Judgement {
     std::string reason;  // of a wrong picture: its cause, or where it errs most; empty if neither is sure
 };
 Judgement judge(const PictureFile& picture, const Expected& expected);
+}  // namespace bmc

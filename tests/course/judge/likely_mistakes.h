@@ -3,6 +3,7 @@
 
 #include "numerics/portable_math.h"
 
+namespace bmc {
 struct Mirroring {
     const char* name;
     bool left_right, up_down;
@@ -20,3 +21,4 @@ constexpr Factor factors[] = {{"1 / pi is missing, or pi too often", portable::p
                               {"2 pi is missing", 1 / (2 * portable::pi)},
                               {"weights pi / N in place of 2 pi / N", 0.5},
                               {"weights 4 pi / N in place of 2 pi / N, or added twice", 2}};
+}  // namespace bmc

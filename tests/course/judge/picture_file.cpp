@@ -11,6 +11,7 @@
 
 #include "command_line.h"
 
+namespace bmc {
 namespace {
 
 // Of every code.
@@ -129,3 +130,4 @@ Image as_stored(const Image& image, int maxval) {
     return each_channel(image,
                         [&](double v) { return linear[static_cast<std::size_t>(maxval * srgb_encoded(v) + 0.5)]; });
 }
+}  // namespace bmc

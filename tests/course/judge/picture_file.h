@@ -5,6 +5,7 @@
 
 #include <iosfwd>
 
+namespace bmc {
 struct PictureFile {
     Image image;  // linear radiance
     int maxval;   // the largest code of a channel, which stands for 1; 0: the file held linear floats
@@ -30,3 +31,4 @@ Image each_channel(const Image& image, Function f) {
         return Color{f(color.x), f(color.y), f(color.z)};
     });
 }
+}  // namespace bmc
