@@ -35,7 +35,7 @@ doctest:
 $(BUILD)/unit_tests: $(TESTS) $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(COMMON)
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_text.o $(BUILD)/tests/output/compare_picture.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
 judge: $(BUILD)/judge
