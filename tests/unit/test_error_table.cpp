@@ -2,8 +2,6 @@
 
 #include "test.h"
 
-#include <cmath>
-
 TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
     // Normal errors: E |error| = sqrt(2 / pi) * 2 pi sqrt(1/12 / n) for cos(theta); the mean of 4000 has a relative
     // standard error of 0.756 / sqrt(4000), and 5 of them allow for the normal approximation too.
@@ -13,7 +11,7 @@ TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
     settings.bmc_estimates = 1;
     const std::vector<ErrorRow> rows = error_table(practice_integrands()[1], settings);
     REQUIRE(rows.size() == 1);
-    const double expected = std::sqrt(2 / portable::pi) * 2 * portable::pi * std::sqrt(1.0 / 12 / 40);
+    const double expected = std::sqrt(2 / pi) * 2 * pi * std::sqrt(1.0 / 12 / 40);
     CHECK(std::fabs(rows[0].mc_error / expected - 1) < 5 * 0.756 / std::sqrt(4000));
 }
 
@@ -31,7 +29,7 @@ TEST_CASE("Bayesian Monte Carlo beats Monte Carlo on every integrand that varies
 }
 
 TEST_CASE("where the cosine is known, knowing it wins at every number of samples") {
-    const Integrand integrand{"", "", [](Vec3 w) { return w.y * w.y * w.y * w.y; }, 2 * portable::pi / 5};
+    const Integrand integrand{"", "", [](Vec3 w) { return w.y * w.y * w.y * w.y; }, 2 * pi / 5};
     ErrorSettings settings;
     settings.bmc_estimates = 100;
     const std::vector<ErrorRow> nothing = error_table(integrand, settings);
@@ -70,7 +68,7 @@ TEST_CASE("what is only rounding counts as no error") {
 }
 
 TEST_CASE("an error above rounding counts, however small") {
-    const double truth = 2 * portable::pi;
+    const double truth = 2 * pi;
     ErrorSettings settings;
     settings.samples = {30};
     settings.bmc_estimates = 1;

@@ -2,9 +2,6 @@
 
 #include "test.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace {
 
 constexpr int side = 40;

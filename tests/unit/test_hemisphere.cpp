@@ -2,8 +2,6 @@
 
 #include "test.h"
 
-#include <algorithm>
-
 namespace {
 
 double largest_difference(Vec3 a, Vec3 b) {
@@ -46,7 +44,7 @@ TEST_CASE("Fibonacci directions have equidistant elevation cosines and keep apar
         for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, length(directions[i] - directions[j]));
     }
     // A square cell of the mean solid angle 2 pi / n has side sqrt(2 pi / n): a well-spread set keeps most of it.
-    CHECK(nearest > 0.7 * std::sqrt(2 * portable::pi / n));
+    CHECK(nearest > 0.7 * std::sqrt(2 * pi / n));
 }
 
 TEST_CASE("cosine-distributed directions have the moments of the density cos(theta) / pi") {

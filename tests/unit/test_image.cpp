@@ -2,8 +2,6 @@
 
 #include "test.h"
 
-#include <cmath>
-
 TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
     Image image(2, 2);
     image.set(0, 0, {0, 1, 0.5});

@@ -1,12 +1,5 @@
 #include "../course/judge/judge_picture.h"
 
-#include <cmath>
-#include <sstream>
-#include <stdexcept>
-
-#include "command_line.h"
-#include "scene/desert.h"
-
 #include "test.h"
 
 namespace {
@@ -26,15 +19,13 @@ PictureSettings settings_of(Method method, std::size_t samples = 40) {
 Image rendered(Method method) { return render(sphere_scene(), desert, settings_of(method)); }
 
 PictureFile written(const Image& image, bool as_floats = false) {
-    std::istringstream file(as_floats ? to_pfm(image) : to_ppm(image));
-    return read_picture(file);
+    return read_by(read_picture, as_floats ? to_pfm(image) : to_ppm(image));
 }
 
 PictureFile rounded_down(const Image& image, int maxval) {
     std::string text = formatted("P3 %d %d %d\n", image.width(), image.height(), maxval);
     for (const float v : image.rgb()) text += formatted("%d ", static_cast<int>(maxval * srgb_encoded(v)));
-    std::istringstream file(text);
-    return read_picture(file);
+    return read_by(read_picture, text);
 }
 
 Judgement judged(const PictureFile& picture, const EnvironmentMap& map, const PictureSettings& settings) {
@@ -42,6 +33,10 @@ Judgement judged(const PictureFile& picture, const EnvironmentMap& map, const Pi
     return judge(picture, expect({map, &prefiltered}, settings, picture));
 }
 Judgement judged(const PictureFile& picture, Method method) { return judged(picture, desert, settings_of(method)); }
+
+void check_fits(const Judgement& judgement) {
+    for (const Quantity& quantity : judgement.comparison.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+}
 
 // What is said of a wrong picture of a pool.
 std::string reason(const Image& image, bool as_floats = false) {
@@ -63,8 +58,6 @@ Image with_objects(const Image& image, Function f) {
                     [&](int x, int y) { return shows_object(x, y) ? Color(f(image(x, y), x, y)) : image(x, y); });
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 }  // namespace
 
 TEST_CASE("pictures of every method are within what correct programs do, as codes and as floats" *
@@ -73,7 +66,7 @@ TEST_CASE("pictures of every method are within what correct programs do, as code
         CAPTURE(each.first);
         const Method method = each.second;
         const Judgement judgement = judged(written(rendered(method), method == Method::pool), method);
-        for (const Quantity& quantity : judgement.comparison.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+        check_fits(judgement);
         CHECK(judgement.reason.empty());
     }
 }
@@ -85,19 +78,16 @@ TEST_CASE("a program that rounds codes down and shows single texels in the backg
     });
     for (const int maxval : {255, 31}) {
         CAPTURE(maxval);
-        const Judgement judgement = judged(rounded_down(texels, maxval), Method::pool);
-        for (const Quantity& quantity : judgement.comparison.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
+        check_fits(judged(rounded_down(texels, maxval), Method::pool));
     }
 }
 
 TEST_CASE("under an even light, all of whose codes are rounded alike, both ways to round are correct") {
-    const EnvironmentMap even(4, 2, std::vector<float>(24, 0.5f));
+    const EnvironmentMap even = even_map(4, 2, 0.5);
     const PictureSettings settings = settings_of(Method::mc, 200);  // so that half a code shows
     const Image image = render(sphere_scene(), even, settings);
-    for (const PictureFile& picture : {written(image), rounded_down(image, 255)}) {
-        const Judgement judgement = judged(picture, even, settings);
-        for (const Quantity& quantity : judgement.comparison.quantities) CHECK_MESSAGE(quantity.fits(), quantity.name);
-    }
+    for (const PictureFile& picture : {written(image), rounded_down(image, 255)})
+        check_fits(judged(picture, even, settings));
 }
 
 TEST_CASE("a wrong factor, geometry or transfer function is found and named" * doctest::test_suite("long")) {
@@ -106,11 +96,10 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named" * d
         return with_objects(image, [&](Color c, int, int) { return factor * c; });
     };
     const auto pixels = [&](auto pixel) { return image_of(side, side, pixel); };
-    CHECK(reason(times(portable::pi)) ==
-          "likely: one factor for all objects, 3.14: perhaps 1 / pi is missing, or pi too often");
+    CHECK(reason(times(pi)) == "likely: one factor for all objects, 3.14: perhaps 1 / pi is missing, or pi too often");
     CHECK(reason(times(0.5), true) ==
           "likely: one factor for all objects, 0.5: perhaps weights pi / N in place of 2 pi / N");
-    CHECK(contains(reason(times(1 / (2 * portable::pi))), "0.159: perhaps 2 pi is missing"));
+    CHECK(contains(reason(times(1 / (2 * pi))), "0.159: perhaps 2 pi is missing"));
     CHECK(reason(times(0)) == "likely: one factor for all objects, 0: perhaps nothing is added up");
     CHECK(reason(pixels([&](int x, int y) { return image(x, side - 1 - y); })) == "likely: upside down");
     CHECK(contains(reason(pixels([&](int x, int y) { return image(side - 1 - x, y); })), "likely: mirrored"));
@@ -163,18 +152,12 @@ TEST_CASE("what is no such mistake has no cause, but a place" * doctest::test_su
 TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta), no shadows" *
           doctest::test_suite("long")) {
     const Image background = rendered(Method::mc);
-    const std::vector<Vec3> directions = fibonacci_directions(2000);
     const auto shaded = [&](double power, bool shadows) {
+        QuadratureRule rule{fibonacci_directions(2000), {}};
+        for (const Vec3& w : rule.directions) rule.weights.push_back(pi / 1000 * portable::pow(w.y, power - 1));
         return with_objects(background, [&](Color, int x, int y) {
             const auto hit = intersect(sphere_scene(), camera.ray(x, y));
-            const Frame frame(hit->normal);
-            Color sum;
-            for (const Vec3& local : directions) {
-                const Vec3 direction = frame.to_world(local);
-                if (!shadows || !is_shadowed(sphere_scene(), *hit, direction))
-                    sum += portable::pow(local.y, power) * desert.radiance(direction);
-            }
-            return 1.0 / 1000 * (hit->albedo * sum);  // 2 pi / n, times 1 / pi
+            return plain_light(sphere_scene(), desert, *hit, rule, Frame(hit->normal), shadows);
         });
     };
     CHECK(reason(shaded(2, true)) == "likely: cos(theta) twice");
@@ -224,9 +207,9 @@ TEST_CASE("numbers that are common each, but not together, are found" * doctest:
 
 TEST_CASE("one rule that meets a small sun or does not makes pictures of two kinds, both correct" *
           doctest::test_suite("long")) {
-    std::vector<float> rgb(3 * 1024 * 512, 0.5f);
-    for (std::size_t i = 0; i < 3; ++i) rgb[3 * (120 * 1024 + 160) + i] = 1000;
-    const EnvironmentMap sun(1024, 512, rgb);
+    const EnvironmentMap sun = map_of(1024, 512, [](int column, int row) {
+        return (column == 160 && row == 120 ? 1000 : 0.5) * Color{1, 1, 1};
+    });
     double rmse[2];
     for (const std::uint64_t seed : {5u, 6u}) {
         PictureSettings settings = settings_of(Method::rotated);
@@ -243,7 +226,7 @@ TEST_CASE("a picture too small to judge, and an environment without light, are r
     CHECK_THROWS_WITH_AS(judged({Image(34, 26), 255}, Method::pool),
                          "34 x 26 pixels are too few to judge: 498 show an object, 500 should", std::invalid_argument);
     CHECK_NOTHROW(judged({Image(30, 27), 255}, Method::pool));  // of which 500 do
-    const EnvironmentMap night(1, 1, {0, 0, 0});
+    const EnvironmentMap night = even_map(1, 1, 0);
     CHECK_THROWS_WITH_AS(judged(written(rendered(Method::mc)), night, settings_of(Method::mc)),
                          "the environment lights no object, so there is nothing to judge; take another",
                          std::invalid_argument);

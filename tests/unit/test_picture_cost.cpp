@@ -1,12 +1,7 @@
 #include "experiments/picture_cost.h"
-#include "experiments/picture_error.h"
 #include "experiments/statistics.h"
-#include "scene/desert.h"
 
 #include "test.h"
-
-#include <cmath>
-#include <stdexcept>
 
 namespace {
 

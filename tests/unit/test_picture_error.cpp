@@ -2,8 +2,6 @@
 
 #include "test.h"
 
-#include <cmath>
-
 TEST_CASE("the error of an image: root mean square, neighbours' correlation and brightness") {
     Image truth(40, 40), brighter(40, 40), striped(40, 40);
     for (int y = 0; y < 40; ++y)

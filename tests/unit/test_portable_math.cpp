@@ -1,14 +1,6 @@
 #include "numerics/portable_math.h"
 
-#include "numerics/random.h"
-
 #include "test.h"
-
-#include <algorithm>
-#include <cfloat>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 
 using portable::bits_of;
 using portable::from_bits;

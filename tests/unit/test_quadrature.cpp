@@ -1,12 +1,6 @@
 #include "quadrature/quadrature.h"
 
-#include "quadrature/gaussian_process.h"
-
 #include "test.h"
-
-#include <cmath>
-
-using portable::pi;
 
 TEST_CASE("a Monte Carlo rule integrates a constant exactly") {
     Random random(1, 0);

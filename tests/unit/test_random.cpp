@@ -2,7 +2,6 @@
 
 #include "test.h"
 
-#include <cmath>
 #include <set>
 
 TEST_CASE("the generator is SplitMix64") {

@@ -1,7 +1,5 @@
 #include "scene/scene.h"
 
-#include "quadrature/hemisphere.h"
-
 #include "test.h"
 
 TEST_CASE("the camera sees 60 degrees vertically, through pixel centres, row 0 at the top") {
@@ -9,7 +7,7 @@ TEST_CASE("the camera sees 60 degrees vertically, through pixel centres, row 0 a
     CHECK(camera.ray(1, 1).direction.z == -1);
     // The centre of the top row is 2/3 up to the edge, which is at tan(30 degrees).
     const Vec3 up = camera.ray(1, 0).direction, right = camera.ray(2, 1).direction;
-    CHECK(std::fabs(up.y / -up.z - 2.0 / 3 * std::tan(portable::pi / 6)) < 1e-15);
+    CHECK(std::fabs(up.y / -up.z - 2.0 / 3 * std::tan(pi / 6)) < 1e-15);
     CHECK(right.x == up.y);
     const Camera wide{4, 2};
     CHECK(std::fabs(wide.ray(3, 0).direction.x / wide.ray(3, 0).direction.y - 3) < 1e-15);
