@@ -35,7 +35,7 @@ KnownLightRule known_light_rule(const QuadratureRule& rule, const PrefilteredEnv
 struct Quotient {
     Color all, visible;
 
-    void add(Color light, bool is_visible);
+    void add(Color light, double visibility);  // 0 or 1
     Color fraction() const;  // 1 for a colour that no ray carries
 };
 

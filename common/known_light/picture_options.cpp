@@ -24,13 +24,13 @@ PictureOptions::PictureOptions(PictureSettings& s)
       show(choice_option("show", "", show_names, s.show,
                          ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
                          "picture's RMSE")) {
-    samples = idle_while([&s] { return s.rmse > 0 ? "--rmse chooses their number" : ""; }, samples);
+    samples = useless_while([&s] { return s.rmse > 0 ? "--rmse chooses their number" : ""; }, samples);
     Option& known = of_process("known");
     known = {"known", "NAME",
              "part of the integrand: " + choices(known_names, s.known_part()) +
                  "; the last two for sobolev with smoothness 1.5",
              [&s](const std::string& text) { s.set_known(parse_choice(text, known_names)); },
-             [&s, idle = known.idle] { return s.light_known ? "" : idle(); }};
+             [&s, unless_known = known.why_useless] { return s.light_known ? "" : unless_known(); }};
 }
 
 void require_predictable(const PictureSettings& settings) {
