@@ -36,7 +36,7 @@ struct Quotient {
     Color all, visible;
 
     void add(Color light, double visibility);  // 0 or 1
-    Color fraction() const;  // 1 for a colour that no ray carries
+    Color fraction() const;                    // 1 for a colour that no ray carries
 };
 
 // The fraction of each colour of the sky's light that passes the other object.
