@@ -56,7 +56,7 @@ std::vector<Option> picture_options(Request& request) {
 
 std::vector<Option> process_options(Request& request) {
     const PictureOptions options(request.settings);
-    return joined({options.process, {options.placement, options.seed}});
+    return join({options.process, {options.placement, options.seed}});
 }
 
 std::string help_text() {
@@ -74,7 +74,7 @@ Request parse(int argc, char** argv) {
     Request request;
     request.settings.threads = std::max(1u, std::thread::hardware_concurrency());
     const std::vector<std::string> rest = parse_options(
-        argc, argv, joined({method_options(request), process_options(request), picture_options(request)}));
+        argc, argv, join({method_options(request), process_options(request), picture_options(request)}));
     if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     require_possible(request.settings);

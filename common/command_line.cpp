@@ -78,7 +78,7 @@ std::vector<std::string> parse_options(int argc, char** argv, const std::vector<
         }
     }
     for (const Option* o : given)
-        if (const std::string reason = o->idle ? o->idle() : ""; !reason.empty())
+        if (const std::string reason = o->why_useless ? o->why_useless() : ""; !reason.empty())
             throw UsageError("--" + o->name + " would change nothing: " + reason + "; leave it out");
     return {argv + std::min(optind, argc), argv + argc};  // a caller may give no words at all, not even a name
 }
@@ -130,25 +130,24 @@ Option seed_option(const char* description, std::uint64_t& seed) {
     return {"seed", "K", description, [&seed](const std::string& text) { seed = parse_seed(text); }};
 }
 
-std::vector<Option> joined(const std::vector<std::vector<Option>>& groups) {
+std::vector<Option> join(const std::vector<std::vector<Option>>& groups) {
     std::vector<Option> options;
     for (const std::vector<Option>& group : groups) options.insert(options.end(), group.begin(), group.end());
     return options;
 }
 
-Option idle_while(const std::function<std::string()>& reason, Option option) {
-    option.idle = [reason, idle = option.idle] {
+Option useless_while(const std::function<std::string()>& reason, Option option) {
+    option.why_useless = [reason, earlier = option.why_useless] {
         const std::string why = reason();
-        return why.empty() && idle ? idle() : why;
+        return why.empty() && earlier ? earlier() : why;
     };
     return option;
 }
 
-int run_program(const char* name, const std::function<Outcome()>& body) {
+int run_program(const char* name, const std::function<std::string()>& body) {
     try {
-        const Outcome outcome = body();
-        write_all(outcome.text);
-        return outcome.status;
+        write_all(body());
+        return 0;
     } catch (const UsageError& error) {
         print_error(name, error.what());
         return 2;

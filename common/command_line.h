@@ -25,7 +25,7 @@ struct Option {
     std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed
 
     // Asked when all options are read: why the option would change nothing, or an empty text.
-    std::function<std::string()> idle = nullptr;
+    std::function<std::string()> why_useless = nullptr;
 };
 
 // Applies the options in argv. Returns the arguments that no option takes. Throws UsageError, the text naming the
@@ -90,22 +90,14 @@ Option count_option(const char* name, const char* argument, const char* descript
 }
 
 // The options of all groups.
-std::vector<Option> joined(const std::vector<std::vector<Option>>& groups);
+std::vector<Option> join(const std::vector<std::vector<Option>>& groups);
 
 // The option, which changes nothing where there is a reason.
-Option idle_while(const std::function<std::string()>& reason, Option option);
+Option useless_while(const std::function<std::string()>& reason, Option option);
 
-// What a program prints to stdout, and its exit status: 1 tells a script that something was found wrong.
-struct Outcome {
-    std::string text;
-    int status;
-
-    Outcome(std::string output, int exit_status = 0) : text(std::move(output)), status(exit_status) {}
-};
-
-// Prints to stdout what body returns, all of it or nothing, and returns its exit status; 2 after a UsageError, 1 after
-// any other exception, each told in one line on stderr that begins with the program's name.
-int run_program(const char* name, const std::function<Outcome()>& body);
+// Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after a UsageError, 1 after any
+// other exception. It tells of either in one line on stderr that begins with the program's name.
+int run_program(const char* name, const std::function<std::string()>& body);
 
 // Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.
 void require_file_output(const std::string& command);

@@ -18,10 +18,10 @@ std::function<std::string()> unless_family(const ModelSettings& settings, Covari
 
 ModelOptions::ModelOptions(ModelSettings& s)
     : process{choice_option("covariance", "", covariance_names, s.covariance),
-              idle_while(unless_family(s, CovarianceFamily::sobolev),
-                         real_option("smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
-                                     s.smoothness, {1.001, 1.999})),
-              idle_while(
+              useless_while(unless_family(s, CovarianceFamily::sobolev),
+                            real_option("smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
+                                        s.smoothness, {1.001, 1.999})),
+              useless_while(
                   unless_family(s, CovarianceFamily::squared_exponential),
                   real_option("length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
                               s.length_scale, {0.05, 1e6})),
@@ -38,7 +38,7 @@ Option& ModelOptions::of_process(const std::string& name) {
 
 void require_closed_form(const ModelSettings& settings) {
     try {
-        settings.make_covariance()->double_integral(settings.known);
+        settings.make_covariance()->integral_of_z(settings.known);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -48,10 +48,10 @@ RenderOptions::RenderOptions(RenderSettings& s)
     : ModelOptions(s),
       method(choice_option("method", "", method_names, s.method)),
       samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_lattice_samples)),
-      pool(idle_while([&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; },
-                      count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
+      pool(useless_while([&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; },
+                         count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
     const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
-    for (Option& option : process) option = idle_while(no_process, option);
+    for (Option& option : process) option = useless_while(no_process, option);
 }
 
 void require_possible(const RenderSettings& settings) {

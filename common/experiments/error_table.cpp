@@ -87,7 +87,7 @@ std::vector<Integrand> integrands_named(const std::string& name) {
 
 std::vector<Option> ErrorTables::options() {
     const ModelOptions model(settings);
-    return joined(
+    return join(
         {{name_option("integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)", integrand),
           {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
            [this](const std::string& text) { settings.samples = parse_samples(text); }},

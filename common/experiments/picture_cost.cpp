@@ -61,7 +61,7 @@ std::uint64_t seeds_of(const PictureSettings& settings) {
 
 PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings, const Truth& truth) {
     RootMeanSquare rmse, brightness, predicted;
-    double correlation = 0, within = 0;
+    double correlation = 0, covered = 0;
     const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
     const std::uint64_t predictions = predicts_error(settings) ? 4 : 0;
     for (; settings.seed != first + seeds; ++settings.seed) {
@@ -75,10 +75,10 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
         const Image errors = picture(sphere_scene(), light, settings);
         settings.show = Show::picture;
         predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), {settings.width, settings.height})));
-        within += coverage(image, truth, errors) / static_cast<double>(predictions);
+        covered += coverage(image, truth, errors) / static_cast<double>(predictions);
     }
     return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
-            within,   correlation,  brightness.value(),    0};
+            covered,  correlation,  brightness.value(),    0};
 }
 
 std::string name_columns(const PictureSettings& s) {
@@ -87,7 +87,7 @@ std::string name_columns(const PictureSettings& s) {
 }
 
 std::string prediction_columns(const PictureCost& row) {
-    return row.predicted > 0 ? formatted(" %10.5f %6.3f", row.predicted, row.within) : "          -      -";
+    return row.predicted > 0 ? formatted(" %10.5f %6.3f", row.predicted, row.coverage) : "          -      -";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct PictureCost {
     PictureSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
     double rmse_error;             // standard error of rmse
-    double predicted, within;      // RMSE that pictures predict, share of errors within two predicted ones; 0 if none
+    double predicted, coverage;    // RMSE that pictures predict, share of errors within two predicted ones; 0 if none
     double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds
     double brightness;             // root mean square over the seeds of ImageError::brightness
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed

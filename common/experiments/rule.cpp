@@ -61,13 +61,13 @@ std::string rule_report(const GaussianProcess& process, KnownPart known, const s
 std::vector<Option> Rule::options() {
     const auto drawn = [this] { return directions.empty() ? "" : "--directions gives the directions"; };
     const ModelOptions model(settings);
-    return joined({{idle_while(drawn, count_option("samples", "N", "directions of the rule (default 40)", samples,
-                                                   max_process_samples)),
-                    name_option("directions", "FILE",
-                                "in place of drawn ones: x y z or x y z value a line (-: standard input)", directions),
-                    {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}},
-                   model.process,
-                   {idle_while(drawn, model.placement), idle_while(drawn, model.seed)}});
+    return join({{useless_while(drawn, count_option("samples", "N", "directions of the rule (default 40)", samples,
+                                                    max_process_samples)),
+                  name_option("directions", "FILE",
+                              "in place of drawn ones: x y z or x y z value a line (-: standard input)", directions),
+                  {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}},
+                 model.process,
+                 {useless_while(drawn, model.placement), useless_while(drawn, model.seed)}});
 }
 
 std::string Rule::report() const {

@@ -21,12 +21,12 @@ std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
     const std::vector<Vec3> directions = uniform_directions(n, random);
     const Matrix q = covariance_matrix(covariance, noise, directions);
     const Cholesky cholesky(q);
-    const std::vector<double> z = hemisphere_integrals(covariance, directions);
+    const std::vector<double> z = z_of(covariance, directions);
     const QuadratureRule rule{directions, cholesky.solve(z)};
     const std::function<double()> actions[] = {[&] { return uniform_directions(n, random).back().x; },
                                                [&] { return covariance_matrix(covariance, noise, directions)(0, 0); },
                                                [&] { return Cholesky(q).upper()(0, 0); },
-                                               [&] { return hemisphere_integrals(covariance, directions).back(); },
+                                               [&] { return z_of(covariance, directions).back(); },
                                                [&] { return cholesky.solve(z).back(); },
                                                [&] { return apply(rule, integrand); }};
     volatile double sink = 0;  // keeps the results, so that no stage is optimised away
@@ -60,7 +60,7 @@ std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
                       timed ? "    draw_us       Q_us  factor_us       z_us weights_us  estim._us    pay_off" : "");
     for (const IntegralCost& row : rows) {
         text += formatted("%9zu %12.3g %12.3g %12.2g %12.3g", row.samples, row.mc_error, row.bmc_error,
-                          row.bmc_error_error, row.equivalent_mc_samples());
+                          row.bmc_error_uncertainty, row.equivalent_mc_samples());
         for (const double seconds : row.seconds) text += formatted(" %10.3g", 1e6 * seconds);
         text += timed ? formatted(" %10.3g\n", row.integrals_to_pay_off()) : "\n";
     }

@@ -8,8 +8,8 @@
 namespace bmc {
 struct IntegralCost {
     std::size_t samples;
-    double mc_error;                    // root mean square, from the variance of the integrand
-    double bmc_error, bmc_error_error;  // root mean square over fresh sets, and its standard error
+    double mc_error;                          // root mean square, from the variance of the integrand
+    double bmc_error, bmc_error_uncertainty;  // root mean square over fresh sets, and its standard error
 
     // Of each stage: directions, Q, its factor, z, the weights; then of an estimate. Empty unless timed.
     std::vector<double> seconds;

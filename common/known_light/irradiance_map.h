@@ -11,8 +11,9 @@
 namespace bmc {
 class IrradianceMap {
 public:
-    // Throws std::runtime_error where a radiance exceeds 1e36: its integrals would exceed the largest float.
-    explicit IrradianceMap(const EnvironmentMap& environment);
+    // Made by so many threads. Throws std::runtime_error where a radiance exceeds 1e36: its integrals would exceed the
+    // largest float.
+    explicit IrradianceMap(const EnvironmentMap& environment, unsigned threads = 1);
 
     // E(n) of a unit normal, linear RGB. The error is below 1e-3 of the largest E, unless much of the light comes from
     // a source of less than one degree: below 1.3e-2 if all of it comes from a single texel of 1024 x 512.

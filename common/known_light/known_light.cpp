@@ -30,9 +30,9 @@ KnownLightRule known_light_rule(const QuadratureRule& rule, const PrefilteredEnv
     return known;
 }
 
-void Quotient::add(Color light, bool is_visible) {
+void Quotient::add(Color light, double visibility) {
     all += light;
-    if (is_visible) visible += light;
+    visible += visibility * light;
 }
 
 Color Quotient::fraction() const {

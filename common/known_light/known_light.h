@@ -35,8 +35,8 @@ KnownLightRule known_light_rule(const QuadratureRule& rule, const PrefilteredEnv
 struct Quotient {
     Color all, visible;
 
-    void add(Color light, bool is_visible);
-    Color fraction() const;  // 1 for a colour that no ray carries
+    void add(Color light, double visibility);  // 0 or 1
+    Color fraction() const;                    // 1 for a colour that no ray carries
 };
 
 // The fraction of each colour of the sky's light that passes the other object.

@@ -9,10 +9,15 @@ UsageError too_few() {
     return UsageError("--samples: one direction says nothing of the error of its mean; take more samples");
 }
 
-void tell_prediction(const PictureSettings& settings, double rmse) {
+// unknown_sun: the share of the light that comes from a sun which the samples have to meet by chance.
+void tell_prediction(const PictureSettings& settings, double rmse, double unknown_sun) {
+    std::string remark;
+    if (unknown_sun > 0)
+        remark = formatted("; it leaves out the sun, %.3g %% of the light: take --known light", 100 * unknown_sun);
+    else if (settings.method == Method::single)
+        remark = "; all pixels share one rule, and this seed may be far off";
     std::fprintf(stderr, "renderer: %zu sample%s for a predicted RMSE of %.2g%s\n", settings.samples,
-                 settings.samples == 1 ? "" : "s", rmse,
-                 settings.method == Method::single ? "; all pixels share one rule, and this seed may be far off" : "");
+                 settings.samples == 1 ? "" : "s", rmse, remark.c_str());
 }
 
 }  // namespace
@@ -24,13 +29,13 @@ PictureOptions::PictureOptions(PictureSettings& s)
       show(choice_option("show", "", show_names, s.show,
                          ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
                          "picture's RMSE")) {
-    samples = idle_while([&s] { return s.rmse > 0 ? "--rmse chooses their number" : ""; }, samples);
+    samples = useless_while([&s] { return s.rmse > 0 ? "--rmse chooses their number" : ""; }, samples);
     Option& known = of_process("known");
     known = {"known", "NAME",
              "part of the integrand: " + choices(known_names, s.known_part()) +
                  "; the last two for sobolev with smoothness 1.5",
              [&s](const std::string& text) { s.set_known(parse_choice(text, known_names)); },
-             [&s, idle = known.idle] { return s.light_known ? "" : idle(); }};
+             [&s, unless_known = known.why_useless] { return s.light_known ? "" : unless_known(); }};
 }
 
 void require_predictable(const PictureSettings& settings) {
@@ -49,17 +54,23 @@ Image asked_picture(const EnvironmentMap& environment, PictureSettings settings,
     if (settings.light_known) prefiltered.emplace(environment, settings.threads);
     if (prefiltered && settings.show == Show::error && sky_settings(settings, *prefiltered).samples == 1)
         throw too_few();
+    const double unknown_sun = settings.light_known ? 0 : Sun(environment).share();
+    if (settings.rmse > 0 && unknown_sun > 0)
+        throw UsageError(
+            formatted("--rmse: the sun sends %.3g %% of the light, and samples that miss it do not know of "
+                      "it; take --known light",
+                      100 * unknown_sun));
     const EnvironmentLight light{environment, prefiltered ? &*prefiltered : nullptr};
     const Scene scene = sphere_scene();
     if (settings.rmse > 0) {
         const ChosenSamples chosen = samples_for(settings.rmse, max_process_samples, scene, light, settings);
         settings.samples = chosen.samples;
-        tell_prediction(settings, chosen.rmse);
+        tell_prediction(settings, chosen.rmse, 0);
     }
     Image image = picture(scene, light, settings, progress);
     if (settings.show == Show::picture) return image;
     const double rmse = root_mean_square(image, object_pixels(scene, {settings.width, settings.height}));
-    if (settings.rmse == 0) tell_prediction(settings, rmse);
+    if (settings.rmse == 0) tell_prediction(settings, rmse, unknown_sun);
     return format == Format::ppm ? grey_scale(image, 2 * rmse) : image;
 }
 }  // namespace bmc

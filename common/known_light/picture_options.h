@@ -15,9 +15,9 @@ struct PictureOptions : RenderOptions {
 // Throws UsageError where errors are asked for and the settings' samples say nothing of them.
 void require_predictable(const PictureSettings& settings);
 
-// The picture of the sphere scene under the environment, for a file of this format. What it predicts is told on stderr
-// if it is asked for; in a PPM errors are grey, twice their root mean square white. Throws as picture and samples_for
-// do.
+// The picture of the sphere scene under the environment, for a file of this format. A prediction that is asked for is
+// told on stderr. In a PPM errors are grey, twice their root mean square white. Throws as picture and samples_for do,
+// and UsageError for an RMSE under a sun (sun.h) where the light is not known.
 Image asked_picture(const EnvironmentMap& environment, PictureSettings settings, Format format,
                     const Progress& progress);
 }  // namespace bmc

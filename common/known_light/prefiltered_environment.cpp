@@ -42,8 +42,8 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, unsign
     : sun_(map),
       without_sun_(sun_.empty() ? std::nullopt : std::optional(sun_.keep(Sun::Part::sky))),
       sky_(without_sun_ ? *without_sun_ : map),
-      irradiance_(sky_) {
-    if (!sun_.empty()) sun_irradiance_.emplace(sun_.keep(Sun::Part::sun));
+      irradiance_(sky_, threads) {
+    if (!sun_.empty()) sun_irradiance_.emplace(sun_.keep(Sun::Part::sun), threads);
     const TexelsOnSphere texels(sky_, 256, 128);
     tables_ = {{texels.solid_angle(texels.rows() / 2), sky_.width(), sky_.height(), sky_.texels()}};
     double smallest = pi;

@@ -4,7 +4,6 @@
 #include "scene/environment.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace bmc {
 // The texels that have a solid angle, which the last row and the last column of a map have not (a single one has).
@@ -42,17 +41,5 @@ private:
 // The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).
 inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
     return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
-}
-
-// A circle of latitude lies in the cap around a centre for the azimuths whose distance from the centre's has at least
-// this cosine: nowhere if it is 1 or more, everywhere if it is -1 or less.
-inline double cosine_of_half_width(double radius_cosine, portable::SineCosine centre, portable::SineCosine latitude) {
-    return (radius_cosine - centre.cosine * latitude.cosine) / (std::fabs(centre.sine) * latitude.sine);
-}
-
-// How many of the falling numbers are above x.
-inline std::size_t count_above(const std::vector<double>& falling, double x) {
-    const auto end = std::partition_point(falling.begin(), falling.end(), [x](double y) { return y > x; });
-    return static_cast<std::size_t>(end - falling.begin());
 }
 }  // namespace bmc

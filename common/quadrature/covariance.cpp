@@ -92,10 +92,10 @@ Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
     if (smoothness != 1.5) nodes_ = logarithmic_nodes(rim_step);
     const double two_p = portable::pow(2, exponent_);
     const double z_pole = 2 * pi * (constant_ - two_p / smoothness);
-    double_integral_ = 2 * pi * z_pole - 4 * pi * pi * two_p * (mean_sine_power(exponent_) - 1) / smoothness;
+    integral_of_z_ = 2 * pi * z_pole - 4 * pi * pi * two_p * (mean_sine_power(exponent_) - 1) / smoothness;
 }
 
-void Sobolev::covariances(double* squared_chords, std::size_t count) const {
+void Sobolev::replace_by_covariances(double* squared_chords, std::size_t count) const {
     if (has_closed_form())
         for (std::size_t i = 0; i < count; ++i) squared_chords[i] = constant_ - std::sqrt(squared_chords[i]);
     else
@@ -106,7 +106,7 @@ void Sobolev::covariances(double* squared_chords, std::size_t count) const {
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
-void Sobolev::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
+void Sobolev::replace_by_z(std::vector<double>& cos_thetas, KnownPart known) const {
     if (known == KnownPart::cosine) {
         require_closed_form(has_closed_form());
         for (double& element : cos_thetas) element = cosine_integral(element);
@@ -134,8 +134,8 @@ double Sobolev::rim_sum(double cos_theta) const {
     return rim_step * sum;
 }
 
-double Sobolev::double_integral(KnownPart known) const {
-    if (known != KnownPart::cosine) return double_integral_;
+double Sobolev::integral_of_z(KnownPart known) const {
+    if (known != KnownPart::cosine) return integral_of_z_;
     require_closed_form(has_closed_form());
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
@@ -152,13 +152,13 @@ SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length
     even_part_ = 2 * pi * sum;
 }
 
-void SquaredExponential::covariances(double* squared_chords, std::size_t count) const {
+void SquaredExponential::replace_by_covariances(double* squared_chords, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) squared_chords[i] = portable::exp(-0.5 * kappa_ * squared_chords[i]);
 }
 
 // 2 pi times the sum over m of t_m B_m, with t_m the terms of the modified Bessel function I_1 and B_m the integral
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
-void SquaredExponential::hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known) const {
+void SquaredExponential::replace_by_z(std::vector<double>& cos_thetas, KnownPart known) const {
     require_closed_form(known == KnownPart::nothing);
     for (double& element : cos_thetas) {
         const double squared_sine = (1 - element) * (1 + element);
@@ -173,7 +173,7 @@ void SquaredExponential::hemisphere_integrals(std::vector<double>& cos_thetas, K
     }
 }
 
-double SquaredExponential::double_integral(KnownPart known) const {
+double SquaredExponential::integral_of_z(KnownPart known) const {
     require_closed_form(known == KnownPart::nothing);
     double t = kappa_ / 2 * portable::exp(-kappa_), w = 1, sum = t * 0.5;
     for (int m = 1; m < kappa_ / 2 || sum + t != sum; ++m) {

@@ -25,25 +25,25 @@ public:
 
     // k of a squared chord, in [0, 4].
     double operator()(double squared_chord) const {
-        covariances(&squared_chord, 1);
+        replace_by_covariances(&squared_chord, 1);
         return squared_chord;
     }
 
     // In place: count squared chords become covariances. One call for many values lets a covariance of plain arithmetic
     // compute them side by side.
-    virtual void covariances(double* squared_chords, std::size_t count) const = 0;
+    virtual void replace_by_covariances(double* squared_chords, std::size_t count) const = 0;
 
     // z of a direction, by its elevation cosine in [0, 1].
-    double hemisphere_integral(double cos_theta, KnownPart known = KnownPart::nothing) const {
+    double z(double cos_theta, KnownPart known = KnownPart::nothing) const {
         std::vector<double> one{cos_theta};
-        hemisphere_integrals(one, known);
+        replace_by_z(one, known);
         return one[0];
     }
 
     // In place: elevation cosines become z. This and zz throw std::invalid_argument for a known part with
     // which this covariance has no closed form.
-    virtual void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
-    virtual double double_integral(KnownPart known = KnownPart::nothing) const = 0;
+    virtual void replace_by_z(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
+    virtual double integral_of_z(KnownPart known = KnownPart::nothing) const = 0;
 };
 
 // k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s: the reproducing kernel of the Sobolev space of smoothness s on the sphere,
@@ -56,9 +56,9 @@ public:
     // integral.
     explicit Sobolev(double smoothness = 1.5);
 
-    void covariances(double* squared_chords, std::size_t count) const override;
-    void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
-    double double_integral(KnownPart known = KnownPart::nothing) const override;
+    void replace_by_covariances(double* squared_chords, std::size_t count) const override;
+    void replace_by_z(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
+    double integral_of_z(KnownPart known = KnownPart::nothing) const override;
 
 private:
     bool has_closed_form() const { return nodes_.empty(); }
@@ -66,7 +66,7 @@ private:
 
     double exponent_;  // s - 1
     double constant_;  // C
-    double double_integral_;
+    double integral_of_z_;
     std::vector<double> nodes_;  // of the rim integral; empty at s = 3/2, which needs none
 };
 
@@ -76,9 +76,9 @@ public:
     // l in [0.05, inf). Throws std::invalid_argument below: there e^(-1 / l^2) heads for underflow.
     explicit SquaredExponential(double length_scale = 1);
 
-    void covariances(double* squared_chords, std::size_t count) const override;
-    void hemisphere_integrals(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
-    double double_integral(KnownPart known = KnownPart::nothing) const override;
+    void replace_by_covariances(double* squared_chords, std::size_t count) const override;
+    void replace_by_z(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
+    double integral_of_z(KnownPart known = KnownPart::nothing) const override;
 
 private:
     double kappa_;      // 1 / l^2

@@ -44,13 +44,12 @@ void require_valid(double noise, const std::vector<Vec3>& directions) {
 // BEGIN SOLUTION z
 // Each z_j from the closed form that the covariance has for it, a function of the elevation cosine y of the direction;
 // rounding can leave y slightly above 1.
-std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
-                                         KnownPart known) {
+std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions, KnownPart known) {
     require_upper_hemisphere(directions);
     std::vector<double> z;
     z.reserve(directions.size());
     for (const Vec3& direction : directions) z.push_back(std::min(direction.y, 1.0));
-    covariance.hemisphere_integrals(z, known);
+    covariance.replace_by_z(z, known);
     return z;
 }
 // END SOLUTION
@@ -62,7 +61,7 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
     Matrix q(directions.size(), directions.size());
     for (std::size_t i = 0; i < q.rows(); ++i) {
         for (std::size_t j = i; j < q.rows(); ++j) q(i, j) = squared_distance(directions[i], directions[j]);
-        covariance.covariances(&q(i, i), q.rows() - i);
+        covariance.replace_by_covariances(&q(i, i), q.rows() - i);
         q(i, i) += noise * noise;
     }
     return q;
@@ -72,10 +71,10 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                                  KnownPart known)
     : directions_(std::move(directions)),
-      z_(hemisphere_integrals(covariance, directions_, known)),
+      z_(z_of(covariance, directions_, known)),
       cholesky_(covariance_matrix(covariance, noise, directions_)),
       weights_(bayesian_weights(cholesky_, z_)),
-      variance_(posterior_variance(covariance.double_integral(known), z_, weights_)) {}
+      variance_(posterior_variance(covariance.integral_of_z(known), z_, weights_)) {}
 
 // BEGIN SOLUTION integral
 double GaussianProcess::integral(const std::vector<double>& values) const {

@@ -64,8 +64,8 @@ private:
 };
 
 // z of each direction. Throws std::invalid_argument for one below the horizon.
-std::vector<double> hemisphere_integrals(const Covariance& covariance, const std::vector<Vec3>& directions,
-                                         KnownPart known = KnownPart::nothing);
+std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions,
+                         KnownPart known = KnownPart::nothing);
 
 // Q, n x n, its upper triangle only: what Cholesky reads.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);

@@ -102,8 +102,8 @@ void z() {
     for (const double cosine : {1 + 1e-15, 1.0, 0.9, 0.5, 0.1, 0.0})
         for (const double turns : {0.0, 0.3})
             directions.push_back(rotate_around_y({std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine, 0}, turns));
-    const std::vector<double> z = hemisphere_integrals(sobolev, directions);
-    const std::vector<double> once_more = hemisphere_integrals(other, directions);
+    const std::vector<double> z = z_of(sobolev, directions);
+    const std::vector<double> once_more = z_of(other, directions);
     if (z.size() != directions.size()) throw std::runtime_error("z should have a number for each direction");
     const bool elevation = std::fabs(z[2] - z[8]) > 1e-9, azimuth = std::fabs(z[8] - z[9]) > 1e-9;
     std::printf("# z depends on the elevation: %s; on the azimuth: %s\n", elevation ? "yes" : "no",
@@ -112,7 +112,7 @@ void z() {
     const auto print = [](Vec3 w, double value) { std::printf("%.6f %.6f %.6f %.9g\n", w.x, w.y, w.z, value); };
     for (std::size_t i = 0; i < z.size(); ++i) print(directions[i], z[i]);
     for (std::size_t i = 0; i < once_more.size(); ++i) print(directions[i], once_more[i]);
-    print(fan(100).back(), hemisphere_integrals(sobolev, fan(100)).back());
+    print(fan(100).back(), z_of(sobolev, fan(100)).back());
 }
 
 void print_light(const char* name, Color color) {

@@ -30,9 +30,7 @@ Matrix covariance_matrix(const Covariance&, double, const std::vector<Vec3>&) {
     return q;
 }
 
-std::vector<double> hemisphere_integrals(const Covariance&, const std::vector<Vec3>&, KnownPart) {
-    return {first_z, 3};
-}
+std::vector<double> z_of(const Covariance&, const std::vector<Vec3>&, KnownPart) { return {first_z, 3}; }
 
 NotPositiveDefinite::NotPositiveDefinite(std::size_t, double, double) : std::runtime_error("") {}
 

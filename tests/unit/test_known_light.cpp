@@ -145,7 +145,7 @@ TEST_CASE("sun and sky are the whole light; a light without a sun has the sky's 
         const IrradianceMap whole(light->map);
         for (const Vec3 normal : {Vec3{0, 1, 0}, Vec3{0.8, 0.48, 0.36}, Vec3{-1, 0, 0}, Vec3{0, 0, 1}}) {
             const Color sky = prefiltered.sky_irradiance(normal), sun = prefiltered.sun_irradiance(normal);
-            CHECK(std::fabs(prefiltered.irradiance(normal).x - whole(normal).x) < 1e-6 * whole(normal).x + 1e-6);
+            CHECK(std::fabs(prefiltered.irradiance(normal).x - whole(normal).x) < 1e-5 * whole(normal).x);
             CHECK((sun.x == 0 || sun.x > sky.x / 10));
         }
         const bool has_sun = light == &bright_desert;
@@ -174,8 +174,8 @@ TEST_CASE("a known light and many directions tend to the same picture as a dense
     PictureSettings settings = known_light(Method::mc, 20000);
     settings.placement = Placement::fibonacci;
     const ImageError error = error_of(picture(sphere_scene(), even_light, settings), dense_picture(desert));
-    CHECK(error.rmse < 2e-4);  // 0.7e-4 each, by a sum over all texels
-    CHECK(std::fabs(error.brightness) < 1e-4);
+    CHECK(error.rmse < 2e-4);                   // 0.7e-4 each, by a sum over all texels
+    CHECK(std::fabs(error.brightness) < 4e-4);  // of E (test_irradiance_map.cpp)
 }
 
 // ---- What is predicted of its error

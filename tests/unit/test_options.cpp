@@ -6,7 +6,7 @@ namespace {
 
 std::vector<std::string> parse_model(std::vector<std::string> arguments, ModelSettings& settings) {
     const ModelOptions model(settings);
-    return parse(std::move(arguments), joined({model.process, {model.placement, model.seed}}));
+    return parse(std::move(arguments), join({model.process, {model.placement, model.seed}}));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ TEST_CASE("only a picture has a light that can be known") {
     CHECK(parse({"--known", "light"}, PictureOptions(settings).process).empty());
     CHECK(settings.known_part() == Known::light);
     CHECK(parse({"--method", "mc", "--known", "light"},
-                joined({{PictureOptions(settings).method}, PictureOptions(settings).process}))
+                join({{PictureOptions(settings).method}, PictureOptions(settings).process}))
               .empty());
 }
 

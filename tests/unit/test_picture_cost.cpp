@@ -33,7 +33,7 @@ TEST_CASE("what a picture costs: the practice's three steps against error correl
     CHECK(mc.seconds_per_megapixel == 0);
     const PictureCost pool = find(Method::pool, 20, 40);
     CHECK(std::fabs(pool.predicted / pool.rmse - 1.1) < 0.2);
-    CHECK(std::fabs(pool.within - 0.95) < 0.03);
+    CHECK(std::fabs(pool.coverage - 0.95) < 0.03);
     for (const PictureCost& row : rows) CHECK((row.predicted > 0) == predicts_error(row.settings));
     // One rule for all pixels: its errors differ from seed to seed by some 35 %, so those of 64 seeds by 4 %.
     const PictureCost single = find(Method::single, 1, 10);

@@ -17,7 +17,7 @@ TEST_CASE("the error of Monte Carlo is that of its variance, which Bayesian Mont
         const double expected = 2 * pi * std::sqrt(1.0 / 12 / static_cast<double>(row.samples));
         CHECK(std::fabs(row.mc_error / expected - 1) < 1e-9);
         CHECK(row.bmc_error < row.mc_error);
-        CHECK(row.bmc_error_error < 0.2 * row.bmc_error);
+        CHECK(row.bmc_error_uncertainty < 0.2 * row.bmc_error);
         CHECK(row.seconds[2] > 0);
         CHECK(row.rule_seconds() > row.seconds[2]);
     }

@@ -17,11 +17,11 @@ struct Request {
 
 std::vector<Option> options(Request& request) {
     const PictureOptions of_picture(request.correct);
-    return joined({{of_picture.method, of_picture.samples, of_picture.pool, of_picture.placement},
-                   of_picture.process,
-                   {name_option("environment", "FILE", "the pictures' light: a Radiance .hdr file, or bright-desert",
-                                request.environment),
-                    {"help", "", "this text", [&](const std::string&) { request.help = true; }}}});
+    return join({{of_picture.method, of_picture.samples, of_picture.pool, of_picture.placement},
+                 of_picture.process,
+                 {name_option("environment", "FILE", "the pictures' light: a Radiance .hdr file, or bright-desert",
+                              request.environment),
+                  {"help", "", "this text", [&](const std::string&) { request.help = true; }}}});
 }
 
 Request parse(int argc, char** argv) {
@@ -55,7 +55,8 @@ std::string report(const std::string& file, const Expected& expected, const Judg
            judgement.reason + ".\n";
 }
 
-Outcome run(Request request) {
+// Sets the exit status to 1 if a picture is wrong.
+std::string run(Request request, int& status) {
     if (request.help)
         return "usage: build/judge FILE... [options]     pictures of one program: PPM or PFM (-: standard input)\n\n" +
                describe(options(request));
@@ -63,21 +64,23 @@ Outcome run(Request request) {
     const PrefilteredEnvironment prefiltered(environment);
     const EnvironmentLight light{environment, &prefiltered};
     std::optional<Expected> expected;
-    Outcome outcome("");
+    std::string text;
     for (const std::string& file : request.files) {
         std::optional<PictureFile> picture;
         read_input(file, [&](std::istream& in) { picture = read_picture(in); });
         if (!expected || !expected->serves(*picture))
             expected = expect(light, request.correct, *picture, terminal_progress("judge"));
         const Judgement judgement = judge(*picture, *expected);
-        outcome.text += (outcome.text.empty() ? "" : "\n\n") + report(file, *expected, judgement);
-        if (!judgement.comparison.fits()) outcome.status = 1;
+        text += (text.empty() ? "" : "\n\n") + report(file, *expected, judgement);
+        if (!judgement.comparison.fits()) status = 1;
     }
-    return outcome;
+    return text;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_program("judge", [&] { return run(parse(argc, argv)); });
+    int status = 0;
+    const int failure = run_program("judge", [&] { return run(parse(argc, argv), status); });
+    return failure == 0 ? status : failure;
 }
