@@ -28,7 +28,7 @@ TEST_CASE("one sample has the closed form w = z / (k(0) + noise^2), V = zz - z w
 
 TEST_CASE("the weights satisfy Q w = z") {
     const Sobolev covariance(1.4);
-    const std::vector<Vec3> directions = random_directions(60, 0);
+    const std::vector<Vec3> directions = random_directions(60);
     const GaussianProcess process(covariance, 0.1, directions);
     for (std::size_t i = 0; i < 60; ++i) {
         double sum = 0.01 * process.weights()[i];
@@ -38,16 +38,6 @@ TEST_CASE("the weights satisfy Q w = z") {
         }
         // A backward stable solution leaves n eps |Q| |w| = 60 * 2e-16 * 100 * 1.
         CHECK(std::fabs(sum - process.z()[i]) < 1e-12);
-    }
-}
-
-TEST_CASE("the inverse covariance gives the weights of the solution") {
-    const GaussianProcess process(Sobolev(), 0.01, random_directions(40, 1));
-    const Matrix inverse = process.inverse_covariance();
-    for (std::size_t i = 0; i < 40; ++i) {
-        double weight = 0;
-        for (std::size_t j = 0; j < 40; ++j) weight += inverse(i, j) * process.z()[j];
-        CHECK(std::fabs(weight - process.weights()[i]) < 1e-11);  // eps times the condition number, about 2e4
     }
 }
 

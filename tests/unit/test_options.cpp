@@ -37,29 +37,3 @@ TEST_CASE("only a picture has a light that can be known") {
                 join({{PictureOptions(settings).method}, PictureOptions(settings).process}))
               .empty());
 }
-
-TEST_CASE("only a lattice of Monte Carlo has more than 4096 samples") {
-    PictureSettings settings;
-    settings.samples = 4097;
-    settings.placement = Placement::fibonacci;
-    CHECK_THROWS_AS(require_possible(settings), UsageError);
-    settings.method = Method::mc;
-    CHECK_NOTHROW(require_possible(settings));
-    settings.placement = Placement::uniform;
-    CHECK_THROWS_AS(require_possible(settings), UsageError);
-}
-
-TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample, which only those are told who ask") {
-    PictureSettings settings;
-    settings.method = Method::mc;
-    settings.placement = Placement::fibonacci;
-    CHECK_NOTHROW(require_predictable(settings));
-    settings.show = Show::error;
-    CHECK_THROWS_AS(require_predictable(settings), UsageError);
-    settings.placement = Placement::cosine;
-    CHECK_NOTHROW(require_predictable(settings));
-    settings.samples = 1;
-    CHECK_THROWS_AS(require_predictable(settings), UsageError);
-    settings.method = Method::pool;
-    CHECK_NOTHROW(require_predictable(settings));
-}
