@@ -60,17 +60,6 @@ Image with_objects(const Image& image, Function f) {
 
 }  // namespace
 
-TEST_CASE("pictures of every method are within what correct programs do, as codes and as floats" *
-          doctest::test_suite("long")) {
-    for (const auto& each : method_names) {
-        CAPTURE(each.first);
-        const Method method = each.second;
-        const Judgement judgement = judged(written(rendered(method), method == Method::pool), method);
-        check_fits(judgement);
-        CHECK(judgement.reason.empty());
-    }
-}
-
 TEST_CASE("a program that rounds codes down and shows single texels in the background is correct") {
     const Image image = rendered(Method::pool);
     const Image texels = image_of(side, side, [&](int x, int y) {
