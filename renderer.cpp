@@ -2,8 +2,8 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
-#include "known_light/picture_options.h"
 #include "numerics/plain_loops.h"
+#include "picture_options.h"
 #include "scene/desert.h"
 
 #include <algorithm>

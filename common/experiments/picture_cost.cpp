@@ -135,8 +135,7 @@ std::vector<PictureSettings> all_settings() {
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<PictureSettings>& compared,
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
-    const PrefilteredEnvironment prefiltered(environment, std::max(1u, std::thread::hardware_concurrency()));
-    const EnvironmentLight light{environment, &prefiltered};
+    const EnvironmentLight light = prefilter(environment, std::max(1u, std::thread::hardware_concurrency()));
     const Truth truth = truth_for(light, costs);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");

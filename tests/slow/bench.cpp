@@ -123,10 +123,9 @@ void bench_rendering() {
 // machine's speed drifts.
 void bench_known_light() {
     const EnvironmentMap environment = load_environment();
-    const PrefilteredEnvironment prefiltered(environment);
-    const EnvironmentLight light{environment, &prefiltered};
+    const EnvironmentLight light = prefilter(environment);
     std::size_t floats = 3 * 257 * 129;  // of the irradiance
-    for (const LightTable& table : prefiltered.tables())
+    for (const LightTable& table : light.prefiltered->tables())
         if (table.rgb != environment.texels()) floats += 3 * static_cast<std::size_t>(table.columns * table.rows);
     std::printf("\n# averages of a known light: %.1f ms, %.1f MiB\n",
                 1e3 * seconds_of([&] {

@@ -1,4 +1,5 @@
-#include "known_light/picture.h"
+#include "known_light/known_light_error.h"
+#include "picture.h"
 
 #include "numerics/plain_loops.h"
 
@@ -11,10 +12,12 @@ namespace {
 // A light with its averages.
 struct TestLight {
     const EnvironmentMap map;
-    const PrefilteredEnvironment prefiltered;
+    const EnvironmentLight light;
+    const PrefilteredEnvironment& prefiltered;
 
-    explicit TestLight(EnvironmentMap its_map) : map(std::move(its_map)), prefiltered(map) {}
-    operator EnvironmentLight() const { return {map, &prefiltered}; }
+    explicit TestLight(EnvironmentMap its_map)
+        : map(std::move(its_map)), light(prefilter(map)), prefiltered(*light.prefiltered) {}
+    operator EnvironmentLight() const { return light; }
 };
 const TestLight even_light(desert), bright_desert(load_environment("bright-desert"));
 const TestLight* const lights[] = {&even_light, &bright_desert};
@@ -84,8 +87,7 @@ TEST_CASE("1 and 3 threads give the same bytes where the light is known, and oth
     const std::string one = to_pfm(picture(sphere_scene(), even_light, settings));
     settings.threads = 3;
     CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) == one);
-    const PrefilteredEnvironment by_three(even_light.map, 3);
-    CHECK(to_pfm(picture(sphere_scene(), {even_light.map, &by_three}, settings)) == one);
+    CHECK(to_pfm(picture(sphere_scene(), prefilter(even_light.map, 3), settings)) == one);
     settings.set_known(Known::nothing);
     CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) != one);
 }

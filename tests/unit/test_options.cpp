@@ -1,4 +1,4 @@
-#include "known_light/picture_options.h"
+#include "picture_options.h"
 
 #include "test.h"
 
@@ -64,8 +64,9 @@ TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample, whic
     CHECK_THROWS_AS(require_predictable(settings), UsageError);
     settings.placement = Placement::cosine;
     CHECK_NOTHROW(require_predictable(settings));
+    settings.width = settings.height = 20;
     settings.samples = 1;
-    CHECK_THROWS_AS(require_predictable(settings), UsageError);
+    CHECK_THROWS_AS(asked_picture(desert, settings, Format::pfm, nullptr), UsageError);
     settings.method = Method::pool;
-    CHECK_NOTHROW(require_predictable(settings));
+    CHECK_NOTHROW(asked_picture(desert, settings, Format::pfm, nullptr));
 }

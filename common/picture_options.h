@@ -1,8 +1,8 @@
 // The options of a picture that go beyond the practice, and the picture that they ask for.
 #pragma once
 
-#include "known_light/picture.h"
 #include "options.h"
+#include "picture.h"
 
 namespace bmc {
 // Monte Carlo takes one of a process's options: that the light is known.

@@ -1,4 +1,6 @@
-#include "known_light/picture.h"
+#include "picture.h"
+
+#include "known_light/known_light_error.h"
 
 namespace bmc {
 void PictureSettings::set_known(Known part) {
@@ -9,6 +11,14 @@ void PictureSettings::set_known(Known part) {
 Known PictureSettings::known_part() const {
     if (light_known) return Known::light;
     return known == KnownPart::cosine ? Known::cosine : Known::nothing;
+}
+
+EnvironmentLight prefilter(const EnvironmentMap& environment, unsigned threads) {
+    return {environment, std::make_shared<const PrefilteredEnvironment>(environment, threads)};
+}
+
+double unknown_sun(const EnvironmentMap& environment, const PictureSettings& settings) {
+    return settings.light_known ? 0 : Sun(environment).share();
 }
 
 Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,

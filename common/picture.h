@@ -1,7 +1,7 @@
 // The pictures of the renderer, with and without a known light: the one place that knows both kinds.
 #pragma once
 
-#include "known_light/known_light_error.h"
+#include "known_light/prefiltered_environment.h"
 #include "prediction/pilot.h"
 
 namespace bmc {
@@ -21,13 +21,20 @@ struct PictureSettings : RenderSettings {
 
     void set_known(Known part);
     Known known_part() const;
+    bool asks_for_error() const { return rmse > 0 || show == Show::error; }
 };
 
 // An environment, which must outlive it, and its averages where the light is to be known.
 struct EnvironmentLight {
     const EnvironmentMap& environment;
-    const PrefilteredEnvironment* prefiltered = nullptr;
+    std::shared_ptr<const PrefilteredEnvironment> prefiltered = nullptr;
 };
+
+// The environment with its averages, which so many threads make.
+EnvironmentLight prefilter(const EnvironmentMap& environment, unsigned threads = 1);
+
+// The share of the light that comes from a sun (sun.h), where the light is not known: samples meet it by chance.
+double unknown_sun(const EnvironmentMap& environment, const PictureSettings& settings);
 
 // The image of linear radiance, or of its predicted standard errors. Throws what the Gaussian processes throw, and
 // std::invalid_argument for errors of one sample that knows nothing of its own.

@@ -1,23 +1,27 @@
-#include "known_light/picture_options.h"
+#include "picture_options.h"
 
 #include <cstdio>
 
 namespace bmc {
 namespace {
 
-UsageError too_few() {
-    return UsageError("--samples: one direction says nothing of the error of its mean; take more samples");
-}
-
-// unknown_sun: the share of the light that comes from a sun which the samples have to meet by chance.
-void tell_prediction(const PictureSettings& settings, double rmse, double unknown_sun) {
+void tell_prediction(const PictureSettings& settings, double rmse, double sun) {
     std::string remark;
-    if (unknown_sun > 0)
-        remark = formatted("; it leaves out the sun, %.3g %% of the light: take --known light", 100 * unknown_sun);
+    if (sun > 0)
+        remark = formatted("; it leaves out the sun, %.3g %% of the light: take --known light", 100 * sun);
     else if (settings.method == Method::single)
         remark = "; all pixels share one rule, and this seed may be far off";
     std::fprintf(stderr, "renderer: %zu sample%s for a predicted RMSE of %.2g%s\n", settings.samples,
                  settings.samples == 1 ? "" : "s", rmse, remark.c_str());
+}
+
+Image possible_picture(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
+                       const Progress& progress) {
+    try {
+        return picture(scene, light, settings, progress);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(std::string("--samples: ") + error.what());
+    }
 }
 
 }  // namespace
@@ -39,38 +43,33 @@ PictureOptions::PictureOptions(PictureSettings& s)
 }
 
 void require_predictable(const PictureSettings& settings) {
-    if (settings.rmse == 0 && settings.show == Show::picture) return;
-    const bool mc = settings.method == Method::mc;
-    if (mc && is_lattice(settings.placement))
+    if (!settings.asks_for_error()) return;
+    if (settings.method == Method::mc && is_lattice(settings.placement))
         throw UsageError(
             "--method mc predicts no error on a lattice, whose samples do not differ as independent ones do; take "
             "--placement uniform or cosine, or another method");
-    if (mc && settings.samples == 1) throw too_few();
 }
 
 Image asked_picture(const EnvironmentMap& environment, PictureSettings settings, Format format,
                     const Progress& progress) {
-    std::optional<PrefilteredEnvironment> prefiltered;
-    if (settings.light_known) prefiltered.emplace(environment, settings.threads);
-    if (prefiltered && settings.show == Show::error && sky_settings(settings, *prefiltered).samples == 1)
-        throw too_few();
-    const double unknown_sun = settings.light_known ? 0 : Sun(environment).share();
-    if (settings.rmse > 0 && unknown_sun > 0)
+    const double sun = settings.asks_for_error() ? unknown_sun(environment, settings) : 0;
+    if (settings.rmse > 0 && sun > 0)
         throw UsageError(
-            formatted("--rmse: the sun sends %.3g %% of the light, and samples that miss it do not know of "
-                      "it; take --known light",
-                      100 * unknown_sun));
-    const EnvironmentLight light{environment, prefiltered ? &*prefiltered : nullptr};
+            formatted("--rmse: the sun sends %.3g %% of the light, and samples that miss it do not know of it; take "
+                      "--known light",
+                      100 * sun));
+    const EnvironmentLight light =
+        settings.light_known ? prefilter(environment, settings.threads) : EnvironmentLight{environment};
     const Scene scene = sphere_scene();
     if (settings.rmse > 0) {
         const ChosenSamples chosen = samples_for(settings.rmse, max_process_samples, scene, light, settings);
         settings.samples = chosen.samples;
         tell_prediction(settings, chosen.rmse, 0);
     }
-    Image image = picture(scene, light, settings, progress);
+    Image image = possible_picture(scene, light, settings, progress);
     if (settings.show == Show::picture) return image;
     const double rmse = root_mean_square(image, object_pixels(scene, {settings.width, settings.height}));
-    if (settings.rmse == 0) tell_prediction(settings, rmse, unknown_sun);
+    if (settings.rmse == 0) tell_prediction(settings, rmse, sun);
     return format == Format::ppm ? grey_scale(image, 2 * rmse) : image;
 }
 }  // namespace bmc
