@@ -71,9 +71,7 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
         brightness.add(error.brightness);
         correlation += error.correlation / static_cast<double>(seeds);
         if (settings.seed - first >= predictions) continue;
-        settings.show = Show::error;
-        const Image errors = picture(sphere_scene(), light, settings);
-        settings.show = Show::picture;
+        const Image errors = predicted_picture(sphere_scene(), light, settings);
         predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), {settings.width, settings.height})));
         covered += coverage(image, truth, errors) / static_cast<double>(predictions);
     }

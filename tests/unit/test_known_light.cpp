@@ -1,5 +1,5 @@
 #include "known_light/known_light_error.h"
-#include "picture.h"
+#include "predicted_picture.h"
 
 #include "numerics/plain_loops.h"
 
@@ -274,8 +274,7 @@ TEST_CASE("where the light is known a picture predicts its RMSE to 30 %, and 19 
     for (const std::size_t samples : {10u, 40u}) {
         PictureSettings settings = on_good_directions(samples, 60);
         const Image image = picture(sphere_scene(), even_light, settings);
-        settings.show = Show::error;
-        const Image errors = picture(sphere_scene(), even_light, settings);
+        const Image errors = predicted_picture(sphere_scene(), even_light, settings);
         const double predicted = root_mean_square(errors, object_pixels(sphere_scene(), {60, 60}));
         const double ratio = predicted / image_error(image, truth).rmse, covered = coverage(image, truth, errors);
         CAPTURE(ratio);
@@ -293,8 +292,7 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for, and fo
         const ChosenSamples chosen = samples_for(target, 4096, sphere_scene(), even_light, settings);
         CHECK(chosen.rmse <= target);
         settings.samples = chosen.samples;
-        settings.show = Show::error;
-        const Image errors = picture(sphere_scene(), even_light, settings);
+        const Image errors = predicted_picture(sphere_scene(), even_light, settings);
         CHECK(relative(root_mean_square(errors, object_pixels(sphere_scene(), {60, 60})), target) < 0.15);
     }
     CHECK(samples_for(1e9, 4096, sphere_scene(), bright_desert, on_good_directions(1)).samples == 4);

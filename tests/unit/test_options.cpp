@@ -1,4 +1,4 @@
-#include "picture_options.h"
+#include "predicted_picture.h"
 
 #include "test.h"
 
@@ -59,14 +59,15 @@ TEST_CASE("Monte Carlo on a lattice predicts no error, nor does one sample, whic
     PictureSettings settings;
     settings.method = Method::mc;
     settings.placement = Placement::fibonacci;
-    CHECK_NOTHROW(require_predictable(settings));
-    settings.show = Show::error;
-    CHECK_THROWS_AS(require_predictable(settings), UsageError);
+    Prediction prediction;
+    CHECK_NOTHROW(require_predictable(prediction, settings));
+    prediction.show = Show::error;
+    CHECK_THROWS_AS(require_predictable(prediction, settings), UsageError);
     settings.placement = Placement::cosine;
-    CHECK_NOTHROW(require_predictable(settings));
+    CHECK_NOTHROW(require_predictable(prediction, settings));
     settings.width = settings.height = 20;
     settings.samples = 1;
-    CHECK_THROWS_AS(asked_picture(desert, settings, Format::pfm, nullptr), UsageError);
+    CHECK_THROWS_AS(asked_picture(desert, settings, prediction, Format::pfm, nullptr), UsageError);
     settings.method = Method::pool;
-    CHECK_NOTHROW(asked_picture(desert, settings, Format::pfm, nullptr));
+    CHECK_NOTHROW(asked_picture(desert, settings, prediction, Format::pfm, nullptr));
 }

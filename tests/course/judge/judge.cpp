@@ -1,6 +1,6 @@
 // Whether pictures of the sphere scene that other programs made are right: each beside correct ones of other seeds.
 #include "judge_picture.h"
-#include "picture_options.h"
+#include "picture.h"
 #include "scene/desert.h"
 #include "scene/input.h"
 
