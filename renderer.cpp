@@ -2,8 +2,8 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
-#include "known_light/picture_options.h"
 #include "numerics/plain_loops.h"
+#include "predicted_picture.h"
 #include "scene/desert.h"
 
 #include <algorithm>
@@ -15,6 +15,7 @@ namespace {
 
 struct Request {
     PictureSettings settings;
+    Prediction prediction;
     std::string environment = built_in_lights[0];
     Format format = Format::ppm;
     bool help = false;
@@ -36,7 +37,9 @@ void set_size(PictureSettings& settings, const std::string& text) {
 
 std::vector<Option> method_options(Request& request) {
     const PictureOptions options(request.settings);
-    return {options.method, options.samples, options.rmse, options.pool};
+    const auto chosen = [&] { return request.prediction.rmse > 0 ? "--rmse chooses their number" : ""; };
+    const PredictionOptions prediction(request.prediction);
+    return {options.method, useless_while(chosen, options.samples), prediction.rmse, options.pool};
 }
 
 std::vector<Option> picture_options(Request& request) {
@@ -45,7 +48,7 @@ std::vector<Option> picture_options(Request& request) {
         {"size", "WxH", "in pixels, or W for a square (default 500x500)",
          [&](const std::string& text) { set_size(settings, text); }},
         name_option("environment", "FILE", environment_help, request.environment),
-        PictureOptions(settings).show,
+        PredictionOptions(request.prediction).show,
         {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
          [&](const std::string& text) { request.format = parse_choice(text, format_names); }},
         count_option("threads", "T", "changes the time only, not the picture (default: all cores)", settings.threads,
@@ -73,12 +76,12 @@ std::string help_text() {
 Request parse(int argc, char** argv) {
     Request request;
     request.settings.threads = std::max(1u, std::thread::hardware_concurrency());
-    const std::vector<std::string> rest = parse_options(
-        argc, argv, join({method_options(request), process_options(request), picture_options(request)}));
+    const std::vector<std::string> rest =
+        parse_options(argc, argv, join({method_options(request), process_options(request), picture_options(request)}));
     if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     require_possible(request.settings);
-    require_predictable(request.settings);
+    require_predictable(request.prediction, request.settings);
     return request;
 }
 
@@ -87,7 +90,8 @@ std::string run(const Request& request) {
     require_file_output("./renderer > out.ppm");
     const PictureSettings& settings = request.settings;
     const EnvironmentMap environment = load_environment(request.environment, settings.threads);
-    const Image image = asked_picture(environment, settings, request.format, terminal_progress("renderer"));
+    const Image image =
+        asked_picture(environment, settings, request.prediction, request.format, terminal_progress("renderer"));
     return request.format == Format::ppm ? to_ppm(image) : to_pfm(image);
 }
 

@@ -95,8 +95,8 @@ std::vector<Option> join(const std::vector<std::vector<Option>>& groups);
 // The option, which changes nothing where there is a reason.
 Option useless_while(const std::function<std::string()>& reason, Option option);
 
-// Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after a UsageError, 1 after any
-// other exception. It tells of either in one line on stderr that begins with the program's name.
+// Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after a UsageError, 1 after
+// any other exception. It tells of either in one line on stderr that begins with the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
 
 // Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.

@@ -71,9 +71,7 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
         brightness.add(error.brightness);
         correlation += error.correlation / static_cast<double>(seeds);
         if (settings.seed - first >= predictions) continue;
-        settings.show = Show::error;
-        const Image errors = picture(sphere_scene(), light, settings);
-        settings.show = Show::picture;
+        const Image errors = predicted_picture(sphere_scene(), light, settings);
         predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), {settings.width, settings.height})));
         covered += coverage(image, truth, errors) / static_cast<double>(predictions);
     }
@@ -135,8 +133,7 @@ std::vector<PictureSettings> all_settings() {
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<PictureSettings>& compared,
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
-    const PrefilteredEnvironment prefiltered(environment, std::max(1u, std::thread::hardware_concurrency()));
-    const EnvironmentLight light{environment, &prefiltered};
+    const EnvironmentLight light = prefilter(environment, std::max(1u, std::thread::hardware_concurrency()));
     const Truth truth = truth_for(light, costs);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command_line.h"
-#include "known_light/picture.h"
+#include "predicted_picture.h"
 
 #include <string>
 #include <vector>

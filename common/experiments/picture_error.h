@@ -1,7 +1,7 @@
 // What pictures of the sphere scene differ from the truth by.
 #pragma once
 
-#include "known_light/picture.h"
+#include "picture.h"
 
 #include <vector>
 

@@ -24,13 +24,13 @@ void print(const char* name, double z, std::vector<double> values) {
 
 // Q = 2 1   Q^-1 =  1 -1
 //     1 1          -1  2
-Matrix covariance_matrix(const Covariance&, double, const std::vector<Vec3>&) {
+Matrix bmc::covariance_matrix(const Covariance&, double, const std::vector<Vec3>&) {
     Matrix q(2, 2);
     q(0, 0) = 2, q(0, 1) = 1, q(1, 1) = 1;
     return q;
 }
 
-std::vector<double> z_of(const Covariance&, const std::vector<Vec3>&, KnownPart) { return {first_z, 3}; }
+std::vector<double> bmc::z_of(const Covariance&, const std::vector<Vec3>&, KnownPart) { return {first_z, 3}; }
 
 NotPositiveDefinite::NotPositiveDefinite(std::size_t, double, double) : std::runtime_error("") {}
 

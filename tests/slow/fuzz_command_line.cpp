@@ -7,8 +7,8 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
-#include "known_light/picture_options.h"
 #include "numerics/plain_loops.h"
+#include "predicted_picture.h"
 #include "scene/desert.h"
 #include "scene/radiance_hdr.h"
 

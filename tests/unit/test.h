@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "experiments/picture_error.h"
 #include "numerics/plain_loops.h"
+#include "prediction/predicted_error.h"
 #include "scene/desert.h"
 #include "scene/radiance_hdr.h"
 

@@ -29,8 +29,7 @@ PictureFile rounded_down(const Image& image, int maxval) {
 }
 
 Judgement judged(const PictureFile& picture, const EnvironmentMap& map, const PictureSettings& settings) {
-    const PrefilteredEnvironment prefiltered(map);
-    return judge(picture, expect({map, &prefiltered}, settings, picture));
+    return judge(picture, expect(prefilter(map), settings, picture));
 }
 Judgement judged(const PictureFile& picture, Method method) { return judged(picture, desert, settings_of(method)); }
 
@@ -40,8 +39,7 @@ void check_fits(const Judgement& judgement) {
 
 // What is said of a wrong picture of a pool.
 std::string reason(const Image& image, bool as_floats = false) {
-    static const PrefilteredEnvironment prefiltered(desert);
-    static const EnvironmentLight light{desert, &prefiltered};
+    static const EnvironmentLight light = prefilter(desert);
     static const Expected codes = expect(light, settings_of(Method::pool), written(image)),
                           floats = expect(light, settings_of(Method::pool), written(image, true));
     const Judgement judgement = judge(written(image, as_floats), as_floats ? floats : codes);
@@ -155,8 +153,7 @@ TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta)
 }
 
 TEST_CASE("streaks are found, and the pixels that share random numbers are named") {
-    const PrefilteredEnvironment prefiltered(desert);
-    const Truth truth = dense_truth({desert, &prefiltered}, settings_of(Method::mc), 500);
+    const Truth truth = dense_truth(prefilter(desert), settings_of(Method::mc), 500);
     std::vector<double> noise;  // of every column, about as much as a pool has
     Random random(3, 0);
     for (int x = 0; x < side; ++x) noise.push_back(1 + 0.16 * (random.uniform() - 0.5));

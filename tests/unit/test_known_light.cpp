@@ -1,4 +1,5 @@
-#include "known_light/picture.h"
+#include "known_light/known_light_error.h"
+#include "predicted_picture.h"
 
 #include "test.h"
 
@@ -7,10 +8,12 @@ namespace {
 // A light with its averages.
 struct TestLight {
     const EnvironmentMap map;
-    const PrefilteredEnvironment prefiltered;
+    const EnvironmentLight light;
+    const PrefilteredEnvironment& prefiltered;
 
-    explicit TestLight(EnvironmentMap its_map) : map(std::move(its_map)), prefiltered(map) {}
-    operator EnvironmentLight() const { return {map, &prefiltered}; }
+    explicit TestLight(EnvironmentMap its_map)
+        : map(std::move(its_map)), light(prefilter(map)), prefiltered(*light.prefiltered) {}
+    operator EnvironmentLight() const { return light; }
 };
 const TestLight even_light(desert), bright_desert(load_environment("bright-desert")), white_light(white);
 const TestLight* const lights[] = {&even_light, &bright_desert};
@@ -72,8 +75,7 @@ TEST_CASE("1 and 3 threads give the same bytes where the light is known, and oth
     const std::string one = to_pfm(picture(sphere_scene(), even_light, settings));
     settings.threads = 3;
     CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) == one);
-    const PrefilteredEnvironment by_three(even_light.map, 3);
-    CHECK(to_pfm(picture(sphere_scene(), {even_light.map, &by_three}, settings)) == one);
+    CHECK(to_pfm(picture(sphere_scene(), prefilter(even_light.map, 3), settings)) == one);
     settings.set_known(Known::nothing);
     CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) != one);
 }
@@ -250,8 +252,7 @@ TEST_CASE("where the light is known a picture predicts its RMSE to 30 %, and 19 
     for (const std::size_t samples : {10u, 40u}) {
         PictureSettings settings = on_good_directions(samples, 60);
         const Image image = picture(sphere_scene(), even_light, settings);
-        settings.show = Show::error;
-        const Image errors = picture(sphere_scene(), even_light, settings);
+        const Image errors = predicted_picture(sphere_scene(), even_light, settings);
         check_prediction(image, errors, truth);
     }
 }
@@ -261,8 +262,7 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for, and fo
     const ChosenSamples chosen = samples_for(0.01, 4096, sphere_scene(), even_light, settings);
     CHECK(chosen.rmse <= 0.01);
     settings.samples = chosen.samples;
-    settings.show = Show::error;
-    const Image errors = picture(sphere_scene(), even_light, settings);
+    const Image errors = predicted_picture(sphere_scene(), even_light, settings);
     CHECK(relative(root_mean_square(errors, object_pixels(sphere_scene(), {60, 60})), 0.01) < 0.15);
     CHECK(samples_for(1e9, 4096, sphere_scene(), bright_desert, on_good_directions(1)).samples == 4);
 }

@@ -1,4 +1,4 @@
-#include "known_light/picture_options.h"
+#include "predicted_picture.h"
 
 #include "test.h"
 

@@ -21,11 +21,10 @@ TEST_CASE("a light that reaches no object is refused") {
 }
 
 TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds" * doctest::test_suite("long")) {
-    const PrefilteredEnvironment prefiltered(desert);
     PictureSettings settings = main_settings()[2];
     settings.width = settings.height = 129;
     settings.samples = 1;
-    const Truth truth = dense_truth({desert, &prefiltered}, settings, 10000);
+    const Truth truth = dense_truth(prefilter(desert), settings, 10000);
     RootMeanSquare expected;
     for (settings.seed = 1; settings.seed <= 4; ++settings.seed)
         expected.add(image_error(render(sphere_scene(), desert, settings), truth).rmse);

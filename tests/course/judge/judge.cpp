@@ -1,6 +1,6 @@
 // Whether pictures of the sphere scene that other programs made are right: each beside correct ones of other seeds.
 #include "judge_picture.h"
-#include "known_light/picture_options.h"
+#include "picture.h"
 #include "scene/desert.h"
 #include "scene/input.h"
 
@@ -61,8 +61,7 @@ std::string run(Request request, int& status) {
         return "usage: build/judge FILE... [options]     pictures of one program: PPM or PFM (-: standard input)\n\n" +
                describe(options(request));
     const EnvironmentMap environment = load_environment(request.environment);
-    const PrefilteredEnvironment prefiltered(environment);
-    const EnvironmentLight light{environment, &prefiltered};
+    const EnvironmentLight light = prefilter(environment);
     std::optional<Expected> expected;
     std::string text;
     for (const std::string& file : request.files) {
