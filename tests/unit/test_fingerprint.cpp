@@ -86,33 +86,29 @@ TEST_CASE("a number just inside the accepted deviations fits, and one just outsi
         measured[i] = number;
         return compare(measured, correct, {5, 6}).quantities[std::min(i, first_part)].fits();
     };
-    const double reach = 5 * spread * portable::log(1.1);
-    for (const std::size_t i : {std::size_t{0}, std::size_t{4}})  // rmse, block: on a logarithmic scale
-        for (const double sign : {1.0, -1.0}) {
-            const std::vector<Fingerprint> correct = correct_pictures(i, i == 0 ? 1.1 : 1.5);
-            const double r = sign * (i == 0 ? reach : 5 * spread * portable::log(1.5));
-            CHECK(fits(i, 0.01 * portable::exp(0.999 * r), correct));
-            CHECK(!fits(i, 0.01 * portable::exp(1.001 * r), correct));
+    // number(t) is t times as far away as is accepted.
+    const auto check_border = [&](std::size_t i, const std::vector<Fingerprint>& correct, auto number) {
+        CHECK(fits(i, number(0.999), correct));
+        CHECK(!fits(i, number(1.001), correct));
+    };
+    for (const double sign : {1.0, -1.0})
+        for (const auto& [i, a] : {std::pair(0u, 1.1), {4u, 1.5}}) {  // rmse, block: on a logarithmic scale
+            const double reach = sign * 5 * spread * portable::log(a);
+            check_border(i, correct_pictures(i, a), [&](double t) { return 0.01 * portable::exp(t * reach); });
         }
     // The same of errors as small as many samples leave.
     std::vector<Fingerprint> small = correct_pictures(0, 1.1);
     for (Fingerprint& numbers : small) numbers[0] *= 1e-4;
-    CHECK(fits(0, 1e-6 * portable::exp(0.999 * reach), small));
-    CHECK(!fits(0, 1e-6 * portable::exp(1.001 * reach), small));
-    // Brightness as it is; its least deviation is 0.001.
-    CHECK(fits(1, 0.01 + 0.00499, correct_pictures(1, 1)));
-    CHECK(!fits(1, 0.01 + 0.00501, correct_pictures(1, 1)));
-    // Repeats: 6 deviations, of 0.01 at least.
-    CHECK(fits(first_lag, 0.01 - 0.0599, correct_pictures(first_lag, 1)));
-    CHECK(!fits(first_lag, 0.01 - 0.0601, correct_pictures(first_lag, 1)));
+    check_border(0, small, [&](double t) { return 1e-6 * portable::exp(t * 5 * spread * portable::log(1.1)); });
+    // Brightness as it is; its least deviation is 0.001. Repeats: 6 deviations, of 0.01 at least.
+    check_border(1, correct_pictures(1, 1), [](double t) { return 0.01 + t * 0.005; });
+    check_border(first_lag, correct_pictures(first_lag, 1), [](double t) { return 0.01 - t * 0.06; });
     // Correlation by log((0.1 + c) / (1.01 - c)), whose least deviation is 0.1; alike by log(0.003 + f), 0.05.
-    const auto odds = [](double c) { return portable::log((0.1 + c) / (1.01 - c)); };
-    const double high = portable::exp(odds(0.01) + 0.5), correlation = (1.01 * high - 0.1) / (1 + high);
-    CHECK(fits(2, correlation - 1e-4, correct_pictures(2, 1)));
-    CHECK(!fits(2, correlation + 1e-4, correct_pictures(2, 1)));
-    const double alike = 0.013 * portable::exp(0.25) - 0.003;
-    CHECK(fits(3, alike - 1e-5, correct_pictures(3, 1)));
-    CHECK(!fits(3, alike + 1e-5, correct_pictures(3, 1)));
+    check_border(2, correct_pictures(2, 1), [](double t) {
+        const double high = 0.11 * portable::exp(t * 0.5);  // (0.1 + c) / (1.01 - c) is 0.11 at 0.01
+        return (1.01 * high - 0.1) / (1 + high);
+    });
+    check_border(3, correct_pictures(3, 1), [](double t) { return 0.013 * portable::exp(t * 0.25) - 0.003; });
 }
 
 TEST_CASE("numbers together may be 7 standard deviations away") {

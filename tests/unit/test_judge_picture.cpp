@@ -49,11 +49,12 @@ std::string reason(const Image& image, bool as_floats = false) {
 
 bool shows_object(int x, int y) { return intersect(sphere_scene(), camera.ray(x, y)).has_value(); }
 
-// Every object's pixel by f(its colour, x, y).
+// Every object's pixel by f(its colour, its hit, x).
 template <class Function>
-Image with_objects(const Image& image, Function f) {
-    return image_of(side, side,
-                    [&](int x, int y) { return shows_object(x, y) ? Color(f(image(x, y), x, y)) : image(x, y); });
+Image with_objects(Image image, Function f) {
+    for_each_hit(sphere_scene(), camera,
+                 [&](int x, int y, const Hit& hit) { image.set(x, y, f(image(x, y), hit, x)); });
+    return image;
 }
 
 }  // namespace
@@ -80,7 +81,7 @@ TEST_CASE("under an even light, all of whose codes are rounded alike, both ways 
 TEST_CASE("a wrong factor, geometry or transfer function is found and named" * doctest::test_suite("long")) {
     const Image image = rendered(Method::pool);
     const auto times = [&](double factor) {
-        return with_objects(image, [&](Color c, int, int) { return factor * c; });
+        return with_objects(image, [&](Color c, const Hit&, int) { return factor * c; });
     };
     const auto pixels = [&](auto pixel) { return image_of(side, side, pixel); };
     CHECK(reason(times(pi)) == "likely: one factor for all objects, 3.14: perhaps 1 / pi is missing, or pi too often");
@@ -99,41 +100,26 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named" * d
     CHECK(contains(reason(each_channel(image, srgb_decoded)), "likely: linear values in a PPM"));
     CHECK(contains(reason(each_channel(image, srgb_encoded)), "likely: encoded by the sRGB curve twice"));
     CHECK(contains(reason(each_channel(image, srgb_encoded), true), "likely: sRGB codes in a PFM"));
-    CHECK(contains(reason(with_objects(image,
-                                       [&](Color c, int x, int y) {
-                                           const Color albedo = intersect(sphere_scene(), camera.ray(x, y))->albedo;
-                                           return Color{c.x / albedo.x, c.y / albedo.y, c.z / albedo.z};
-                                       })),
-                   "likely: the albedo is missing"));
+    const Image without_albedo = with_objects(image, [](Color c, const Hit& hit, int) {
+        return Color{c.x / hit.albedo.x, c.y / hit.albedo.y, c.z / hit.albedo.z};
+    });
+    CHECK(contains(reason(without_albedo), "likely: the albedo is missing"));
 }
 
 TEST_CASE("what is no such mistake has no cause, but a place" * doctest::test_suite("long")) {
     const Image image = rendered(Method::pool);
-    CHECK(reason(with_objects(image, [](Color c, int, int) { return 0.9 * c; })) ==
-          "it errs on all objects alike: 10 % too dark");
-    CHECK(contains(reason(with_objects(image,
-                                       [](Color c, int, int) {
-                                           return Color{1.1 * c.x, c.y, c.z};
-                                       })),
-                   ": red 10 % too bright"));
-    CHECK(contains(reason(with_objects(image,
-                                       [](Color c, int, int) {
-                                           return Color{std::min(c.x, 0.3), std::min(c.y, 0.3), std::min(c.z, 0.3)};
-                                       })),
+    const auto said = [&](auto change) { return reason(with_objects(image, change)); };
+    CHECK(said([](Color c, const Hit&, int) { return 0.9 * c; }) == "it errs on all objects alike: 10 % too dark");
+    CHECK(contains(said([](Color c, const Hit&, int) { return Color{1.1, 1, 1} * c; }), ": red 10 % too bright"));
+    CHECK(contains(said([](Color c, const Hit& hit, int) { return (hit.object == Object::sphere ? 0.9 : 1) * c; }),
                    "it errs most on the sphere: "));
-    CHECK(contains(reason(with_objects(image,
-                                       [&](Color c, int x, int y) {
-                                           return intersect(sphere_scene(), camera.ray(x, y))->object ==
-                                                          Object::rectangle
-                                                      ? 0.9 * c
-                                                      : c;
-                                       })),
+    CHECK(contains(said([](Color c, const Hit& hit, int) { return (hit.object == Object::sphere ? 1 : 0.9) * c; }),
                    "it errs most on the rectangle: "));
     CHECK(contains(
         reason(image_of(side, side, [&](int x, int y) { return image(shows_object(x, y) ? x : (x + 1) % side, y); })),
         "it errs most in the background, of which "));
     Random random(3, 0);
-    CHECK(reason(with_objects(image, [&](Color c, int, int) { return (0.9 + 0.2 * random.uniform()) * c; })).empty());
+    CHECK(said([&](Color c, const Hit&, int) { return (0.9 + 0.2 * random.uniform()) * c; }).empty());
 }
 
 TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta), no shadows" *
@@ -142,9 +128,8 @@ TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta)
     const auto shaded = [&](double power, bool shadows) {
         QuadratureRule rule{fibonacci_directions(2000), {}};
         for (const Vec3& w : rule.directions) rule.weights.push_back(pi / 1000 * portable::pow(w.y, power - 1));
-        return with_objects(background, [&](Color, int x, int y) {
-            const auto hit = intersect(sphere_scene(), camera.ray(x, y));
-            return plain_light(sphere_scene(), desert, *hit, rule, Frame(hit->normal), shadows);
+        return with_objects(background, [&](Color, const Hit& hit, int) {
+            return plain_light(sphere_scene(), desert, hit, rule, Frame(hit.normal), shadows);
         });
     };
     CHECK(reason(shaded(2, true)) == "likely: cos(theta) twice");
@@ -157,9 +142,10 @@ TEST_CASE("streaks are found, and the pixels that share random numbers are named
     std::vector<double> noise;  // of every column, about as much as a pool has
     Random random(3, 0);
     for (int x = 0; x < side; ++x) noise.push_back(1 + 0.16 * (random.uniform() - 0.5));
-    const Judgement judgement = judged(
-        written(with_objects(truth.image, [&](Color c, int x, int) { return noise[static_cast<std::size_t>(x)] * c; })),
-        Method::pool);
+    const Judgement judgement =
+        judged(written(with_objects(
+                   truth.image, [&](Color c, const Hit&, int x) { return noise[static_cast<std::size_t>(x)] * c; })),
+               Method::pool);
     CHECK(!judgement.comparison["repeats"].fits());
     CHECK(judgement.comparison["correlation"].fits());
     CHECK(contains(judgement.reason, "repeat 0 columns and"));
@@ -174,7 +160,7 @@ TEST_CASE("a rule that is not turned is found and named" * doctest::test_suite("
 }
 
 TEST_CASE("neighbours that err alike by another mistake share no noise" * doctest::test_suite("long")) {
-    const Image darker = with_objects(rendered(Method::rotated), [](Color c, int, int) { return 0.9 * c; });
+    const Image darker = with_objects(rendered(Method::rotated), [](Color c, const Hit&, int) { return 0.9 * c; });
     const Judgement judgement = judged(written(darker), Method::rotated);
     CHECK(!judgement.comparison["alike"].fits());
     CHECK(contains(judgement.reason, "it errs on all objects alike: "));
@@ -182,8 +168,8 @@ TEST_CASE("neighbours that err alike by another mistake share no noise" * doctes
 
 TEST_CASE("numbers that are common each, but not together, are found" * doctest::test_suite("long")) {
     Random random(7, 0);
-    const Image noisy =
-        with_objects(rendered(Method::rotated), [&](Color c, int, int) { return (0.75 + 0.5 * random.uniform()) * c; });
+    const Image noisy = with_objects(rendered(Method::rotated),
+                                     [&](Color c, const Hit&, int) { return (0.75 + 0.5 * random.uniform()) * c; });
     // An unlucky rule errs as much as this noise, but not pixel by pixel.
     const Comparison comparison = judged(written(noisy), Method::rotated).comparison;
     for (const char* name : {"rmse", "brightness", "correlation", "alike", "block"})
