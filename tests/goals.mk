@@ -97,8 +97,10 @@ $(BUILD)/tests/slow/bench.o: private CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK
 $(BUILD)/bench: $(BUILD)/tests/slow/bench.o $(COMMON)
 	$(call as,LINK $@) $(LINK) $(LAPACK) -o $@
 
-figures seconds: all
-	BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
+$(BUILD)/belief: $(BUILD)/tests/figures/belief.o $(COMMON)
+	$(call as,LINK $@) $(LINK) -o $@
+figures seconds: all $(BUILD)/belief
+	BUILD=$(BUILD) BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
 
 format-check:
 	@tests/require_tool clang-format format-check
