@@ -9,7 +9,7 @@
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
 # make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
-# make figures      draws the figures of README.md from the programs' output
+# make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
 # make PRECOMPILED=FILE GOAL   the programs, too, compile with the standard headers read once, into FILE
