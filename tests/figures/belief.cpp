@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <numeric>
 
+using namespace bmc;
+
 namespace {
 
 constexpr int disc = 200, subpixels = 3;  // pixels of a side; a pixel's on a side
