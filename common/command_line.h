@@ -1,4 +1,4 @@
-// What the two programs share at their edge: options on getopt_long, errors, exit statuses and standard output.
+// What the programs share: options on getopt_long, errors, exit statuses and standard output.
 #pragma once
 
 #include "numerics/formatted.h"
@@ -24,18 +24,18 @@ struct Option {
     std::string description;
     std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed
 
-    // Asked when all options are read: why the option would change nothing, or an empty text.
+    // Called when all options are read: why the option would change nothing, or an empty text.
     std::function<std::string()> why_useless = nullptr;
 };
 
-// Applies the options in argv. Returns the arguments that no option takes. Throws UsageError, the text naming the
-// option, also for one that would change nothing.
+// Applies the options in argv. Returns the arguments that no option takes. Throws UsageError that names the option,
+// also for one that would change nothing.
 std::vector<std::string> parse_options(int argc, char** argv, const std::vector<Option>& options);
 
 // For a help text.
 std::string describe(const std::vector<Option>& options);
 
-// The number that the text is, entirely; throws UsageError unless it lies in [low, high].
+// The number that the whole text is. Throws UsageError unless it lies in [low, high].
 double parse_real(const std::string& text, double low, double high);
 long parse_integer(const std::string& text, long low, long high);
 std::uint64_t parse_seed(const std::string& text);
@@ -71,7 +71,7 @@ std::string choices(const std::pair<const char*, T> (&table)[count], T standard)
     return text;
 }
 
-// Options that set a value: the one that a table names, a text that is not empty, a number, a whole one, a seed.
+// Options that set a value: by its name in a table, a text that is not empty, a number, a whole number, a seed.
 template <class T, std::size_t count>
 Option choice_option(const char* name, const std::string& description, const std::pair<const char*, T> (&table)[count],
                      T& value, const char* remark = "") {
@@ -92,7 +92,7 @@ Option count_option(const char* name, const char* argument, const char* descript
 // The options of all groups.
 std::vector<Option> join(const std::vector<std::vector<Option>>& groups);
 
-// The option, which changes nothing where there is a reason.
+// The option, which would change nothing while there is a reason.
 Option useless_while(const std::function<std::string()>& reason, Option option);
 
 // Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after a UsageError, 1 after
@@ -102,6 +102,6 @@ int run_program(const char* name, const std::function<std::string()>& body);
 // Throws UsageError if stdout is a terminal, which takes no picture; command is what to write instead.
 void require_file_output(const std::string& command);
 
-// Shows on stderr how much of a long work is done, if stderr is a terminal.
+// Shows on stderr how much of the work is done, if stderr is a terminal.
 std::function<void(double)> terminal_progress(const char* name);
 }  // namespace bmc

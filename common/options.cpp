@@ -25,9 +25,10 @@ ModelOptions::ModelOptions(ModelSettings& s)
                   unless_family(s, CovarianceFamily::squared_exponential),
                   real_option("length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
                               s.length_scale, {0.05, 1e6})),
-              real_option("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)",
-                          s.noise, {0, 1000}),
-              choice_option("known", "part of the integrand: ", known_part_names, s.known,
+              real_option("noise", "X",
+                          "standard deviation of a sample's error, divided by the amplitude (default 0.01)", s.noise,
+                          {0, 1000}),
+              choice_option("known", "known part of the integrand: ", known_part_names, s.known,
                             ", for sobolev with smoothness 1.5")},
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
       seed(seed_option("of the random numbers (default 1)", s.seed)) {}

@@ -24,7 +24,7 @@ struct ModelOptions {
 // Throws UsageError for a known part with which the covariance has no closed form.
 void require_closed_form(const ModelSettings& settings);
 
-// Of the options of a process Monte Carlo takes only that the light is known.
+// Monte Carlo takes no option of a process.
 struct RenderOptions : ModelOptions {
     Option method, samples, pool;
 

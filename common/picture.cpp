@@ -16,7 +16,7 @@ Known PictureSettings::known_part() const {
 PictureOptions::PictureOptions(PictureSettings& s) : RenderOptions(s) {
     Option& known = of_process("known");
     known = {"known", "NAME",
-             "part of the integrand: " + choices(known_names, s.known_part()) +
+             "known part of the integrand: " + choices(known_names, s.known_part()) +
                  "; the last two for sobolev with smoothness 1.5",
              [&s](const std::string& text) { s.set_known(parse_choice(text, known_names)); },
              [&s, unless_known = known.why_useless] { return s.light_known ? "" : unless_known(); }};

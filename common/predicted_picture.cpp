@@ -27,8 +27,7 @@ void tell_prediction(const PictureSettings& settings, double rmse, double sun) {
 }  // namespace
 
 PredictionOptions::PredictionOptions(Prediction& p)
-    : rmse(real_option("rmse", "X", "of the picture, predicted: takes the fewest samples that have at most this",
-                       p.rmse, {1e-9, 1e9})),
+    : rmse(real_option("rmse", "X", "take the fewest samples whose predicted RMSE is at most X", p.rmse, {1e-9, 1e9})),
       show(choice_option("show", "", show_names, p.show,
                          ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
                          "picture's RMSE")) {}

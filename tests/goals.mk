@@ -9,7 +9,7 @@
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
 # make fuzz         FUZZ_SECONDS of made-up files and command lines, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
-# make figures      draws the figures of README.md from the programs' output
+# make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
 # make PRECOMPILED=FILE GOAL   the programs, too, compile with the standard headers read once, into FILE
@@ -97,8 +97,10 @@ $(BUILD)/tests/slow/bench.o: private CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK
 $(BUILD)/bench: $(BUILD)/tests/slow/bench.o $(COMMON)
 	$(call as,LINK $@) $(LINK) $(LAPACK) -o $@
 
-figures seconds: all
-	BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
+$(BUILD)/belief: $(BUILD)/tests/figures/belief.o $(COMMON)
+	$(call as,LINK $@) $(LINK) -o $@
+figures seconds: all $(BUILD)/belief
+	BUILD=$(BUILD) BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
 
 format-check:
 	@tests/require_tool clang-format format-check

@@ -91,10 +91,10 @@ std::vector<Option> ErrorTables::options() {
         {{name_option("integrand", "NAME", "constant, cosine, cosine-cubed or environment (default: all)", integrand),
           {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
            [this](const std::string& text) { settings.samples = parse_samples(text); }},
-          count_option("mc-estimates", "M", "estimates that an MC error is the mean of (default 100)",
-                       settings.mc_estimates, max_estimates),
-          count_option("bmc-estimates", "M", "estimates that a BMC error is the mean of (default 10)",
-                       settings.bmc_estimates, max_estimates)},
+          count_option("mc-estimates", "M", "estimates of MC in a mean error (default 100)", settings.mc_estimates,
+                       max_estimates),
+          count_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)", settings.bmc_estimates,
+                       max_estimates)},
          model.process,
          {model.placement, model.seed}});
 }

@@ -28,8 +28,8 @@ struct ErrorRow {
     double equivalent_mc_samples() const { return static_cast<double>(samples) * gain() * gain(); }
 };
 
-// Every estimate has a fresh set of directions; estimate e uses the same set in every column, so that the columns
-// differ by method and not by luck.
+// Every estimate has a fresh set of directions. Estimate e uses the same set in every column, so that columns differ by
+// the method and not by luck.
 std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings);
 
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);

@@ -1,4 +1,4 @@
-// Functions over the hemisphere whose integrals are known: what the experiments estimate.
+// Functions over the hemisphere whose integrals are known, for experiments to estimate.
 #pragma once
 
 #include "quadrature/quadrature.h"
@@ -29,7 +29,7 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
 // The integral by 2^18 directions on the Fibonacci lattice.
 double dense_quadrature(const Integrand& integrand);
 
-// The unknown factor of the integrand at each direction: its value over the known part.
+// The unknown factor of the integrand at each direction: its value divided by the known part.
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions,
                            KnownPart known = KnownPart::nothing);
 

@@ -24,7 +24,7 @@ std::vector<std::pair<Model, double>> models_and_noises() {
     return models;
 }
 
-// What is integrated in a column of the tables, over so many sets of directions, and what comes of it by each model.
+// A column of the tables: its integrands, the number of sets of directions, and the verdicts of each model.
 struct Column {
     std::string name;
     std::vector<Integrand> integrands;

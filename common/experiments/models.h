@@ -1,5 +1,5 @@
-// Which model an integrand requires: by the error, which needs the truth, and by the evidence, which does not; and how
-// honest the process's own error is.
+// Which model an integrand requires: by the error, which needs the truth, and by the evidence, which does not. And
+// whether the standard error that a process predicts is honest.
 #pragma once
 
 #include "command_line.h"
@@ -24,14 +24,14 @@ struct Model {
 // at random.
 std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t points);
 
-// What a process says of one integrand from one set of samples, and how far off its estimate is.
+// A process on one set of samples of one integrand: the error of its estimate, and what it says of it.
 struct Verdict {
-    double error, predicted;  // of the estimate; its standard error
+    double error, predicted;  // of the estimate; the standard error
     double surprise;          // minus the log evidence
 };
 
-// A model's verdicts on so many fresh uniform sets of n directions, on every integrand from each. Verdict i of one
-// model and of another are from the same samples.
+// A model's verdicts on so many fresh uniform sets of n directions, for every integrand on each set. Verdicts i of two
+// models come from the same samples.
 struct Examined {
     Model model;
     double noise;
@@ -44,8 +44,8 @@ struct Examined {
 Examined examine(const Model& model, double noise, const std::vector<Integrand>& integrands, std::size_t n,
                  std::size_t sets);
 
-// The RMSE if for each set of samples the model with the largest evidence is taken; how often that is a
-// squared-exponential one; and the RMSE of the one model whose evidence of all sets is largest.
+// The RMSE if each set of samples chooses the model with the largest evidence; how often that is a squared-exponential
+// one; and the RMSE of the one model whose evidence over all sets is largest.
 struct Choice {
     double rmse, smooth, pooled_rmse;
 };

@@ -33,12 +33,11 @@ PictureSettings with_size(const CostSettings& costs, PictureSettings settings, s
     return settings;
 }
 
-// What pictures are compared with.
 Truth truth_for(const EnvironmentLight& light, const CostSettings& costs) {
     return dense_truth(light, with_size(costs, {}, 0), 10000);
 }
 
-// The rules are made once whatever the size: their time, that of a picture of one pixel, is told from the pixels' time.
+// The rules are made once, whatever the size: a picture of one pixel measures their time.
 double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings settings) {
     constexpr int size = 64;
     const auto seconds_at = [&](int side) {
@@ -50,8 +49,8 @@ double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings sett
     return rules + 1e6 * std::max(0.0, whole - rules) / object_pixels(sphere_scene(), {size, size});
 }
 
-// Where pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it; elsewhere every pixel is
-// a sample, and the seeds are for the brightness. Fewer where it would take long.
+// If pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it. Otherwise every pixel is a
+// sample, and the seeds are for the brightness. Fewer seeds where they would take long.
 std::uint64_t seeds_of(const PictureSettings& settings) {
     if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
     const bool fresh =

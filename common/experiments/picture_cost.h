@@ -14,7 +14,7 @@ struct CostSettings {
     bool timed = true;
 };
 
-// Errors over several seeds: a method that shares rules between pixels has as many rules as seeds, not as pixels.
+// Errors over several seeds: if pixels share rules, there are as many independent errors as seeds, not as pixels.
 struct PictureCost {
     PictureSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
@@ -25,16 +25,16 @@ struct PictureCost {
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
 };
 
-// The settings that are compared, numbers of samples apart: those that README's tables tell of, classic Monte Carlo
-// first; and with those that its figure shows besides.
+// The settings that are compared, except for the number of samples. main_settings: those of README's tables, classic
+// Monte Carlo first. all_settings: those and the others of its figure.
 std::vector<PictureSettings> main_settings();
 std::vector<PictureSettings> all_settings();
 
-// Fewest seconds of one call, of four measurements that take at least 2 ms each.
+// The seconds of one call: the least of four measurements, which take at least 2 ms each.
 double seconds_of(const std::function<void()>& action);
 
-// Each of the settings with each of the numbers of samples. Throws std::invalid_argument if the environment lights no
-// object: there is nothing to compare. progress is told the fraction that is done.
+// Each of the settings with each number of samples. Throws std::invalid_argument if the environment lights no object:
+// then there is nothing to compare.
 std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const std::vector<PictureSettings>& compared,
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress = nullptr);

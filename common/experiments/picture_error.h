@@ -1,4 +1,4 @@
-// What pictures of the sphere scene differ from the truth by.
+// The errors of pictures of the sphere scene.
 #pragma once
 
 #include "picture.h"
@@ -13,14 +13,14 @@ struct Truth {
     bool shows_object(int x, int y) const { return mask[static_cast<std::size_t>(y * image.width() + x)]; }
 };
 
-// The picture of the sphere scene that is taken for true.
+// A picture of the sphere scene as the truth.
 Truth truth_of(Image image);
 
-// The picture by Monte Carlo that knows the light, so that a sun does not spoil it, with so many samples; size, seed
-// and threads are those of the settings.
+// The picture by Monte Carlo with so many samples. The light is known, so that a sun does not spoil it. Size, seed and
+// threads are those of the settings.
 Truth dense_truth(const EnvironmentLight& light, PictureSettings settings, std::size_t samples);
 
-// What an image differs from the truth by, over the pixels that show an object.
+// The error of an image, over the pixels that show an object.
 struct ImageError {
     double rmse;         // of linear radiance, all channels
     double correlation;  // of the errors of horizontally neighbouring pixels, less their mean; 0 where there are none

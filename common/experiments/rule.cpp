@@ -63,9 +63,9 @@ std::vector<Option> Rule::options() {
     const ModelOptions model(settings);
     return join({{useless_while(drawn, count_option("samples", "N", "directions of the rule (default 40)", samples,
                                                     max_process_samples)),
-                  name_option("directions", "FILE",
-                              "in place of drawn ones: x y z or x y z value a line (-: standard input)", directions),
-                  {"matrices", "", "also Q and its inverse", [this](const std::string&) { matrices = true; }}},
+                  name_option("directions", "FILE", "read them instead: lines x y z or x y z value (-: standard input)",
+                              directions),
+                  {"matrices", "", "print Q and its inverse, too", [this](const std::string&) { matrices = true; }}},
                  model.process,
                  {useless_while(drawn, model.placement), useless_while(drawn, model.seed)}});
 }

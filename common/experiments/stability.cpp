@@ -17,7 +17,7 @@ std::string setting(const StabilityRow& row) {
                      name_of(row.model.family, covariance_names), row.model.parameter);
 }
 
-// The decimal digits that an error leaves of the 16 of a double.
+// The decimal digits that are right, of the 16 of a double.
 int digits_of(double error) {
     if (!(error > 1e-16)) return 16;
     return static_cast<int>(std::max(0.0, std::floor(-portable::log(error) / portable::log(10))));
@@ -47,7 +47,7 @@ std::string digits_table(const std::vector<StabilityRow>& rows) {
            "# to 1. No turning shows that: of the digits at 1e-6 only 3 are right.\n";
 }
 
-// What noise to choose: where nothing is refused, and what is left of 16 digits there.
+// Which noise to choose: how many matrices are refused, and how many digits are right.
 std::string stability_verdict(const std::vector<StabilityRow>& rows) {
     std::string text = "# The factor accepts these, and less than one digit of their weights is right:\n";
     for (const StabilityRow& row : rows)

@@ -1,6 +1,6 @@
-// Where the arithmetic of a Gaussian process breaks: how many digits of its weights hold at the extremes of the number
-// of samples, the noise, the covariance and the sample set. Turning all directions about the up axis must not change a
-// weight (covariance.h), but it changes every rounding error. The digits that stay the same are those that hold.
+// Where the arithmetic of a Gaussian process breaks: how many digits of its weights are right at the extremes of the
+// number of samples, the noise, the covariance and the sample set. Turning all directions about the up axis must not
+// change a weight (covariance.h), but it changes every rounding error. The digits that stay the same are right.
 #pragma once
 
 #include "command_line.h"
@@ -31,8 +31,8 @@ struct StabilityRow {
     // The largest difference from the weights of four turned sets, over the largest weight; infinite if one is refused.
     double weight_error = 0;
 
-    // Of up to 1000 samples, since the inverse of more takes long: |Q| |Q^-1| by row_sum_norm, and the same difference
-    // of the weights Q^-1 z.
+    // For up to 1000 samples, since the inverse of more takes long: |Q| |Q^-1| by row_sum_norm, and the same difference
+    // for the weights Q^-1 z.
     double condition = 0, inverse_error = 0;
 };
 

@@ -47,7 +47,7 @@ std::string costly_operation(const IntegralCost& row) {
                      stages[most - row.seconds.begin()], 100 * *most / row.rule_seconds());
 }
 
-// Where the rows are timed, with the stage that takes most.
+// If the rows are timed, with the stage that takes most.
 std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
     std::string text =
         "# Root mean square errors; mc_samples: samples with which Monte Carlo has the error of Bayesian "
@@ -112,7 +112,7 @@ std::vector<Option> Tradeoff::options() {
     return {name_option("environment", "FILE", std::string(environment_help) + " (default: each built-in light)",
                         environment),
             count_option("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 1024, 2),
-            seed_option("other random numbers for other K (default 1)", costs.seed),
+            seed_option("of the random numbers (default 1)", costs.seed),
             {"all", "", "more settings, with 10 to 160 samples, under one light (default: the desert)",
              [this](const std::string&) { all = true; }},
             {"no-times", "", "leave out what is measured and differs from run to run",

@@ -1,5 +1,5 @@
-// What accuracy costs: of an integral, its errors against samples and the seconds of each stage of a rule; and of a
-// picture under each of the built-in lights.
+// What accuracy costs: for an integral, its errors against samples and the seconds of each stage of a rule; for a
+// picture, its errors under each of the built-in lights.
 #pragma once
 
 #include "experiments/integrands.h"
@@ -19,8 +19,8 @@ struct IntegralCost {
     // Samples with which Monte Carlo would have the error of Bayesian Monte Carlo.
     double equivalent_mc_samples() const;
 
-    // Integrals after which a rule made once has cost less time than Monte Carlo at equal error; an estimate of Monte
-    // Carlo draws its directions afresh.
+    // The number of integrals after which a rule, made once, has taken less time than Monte Carlo with equal error. An
+    // estimate of Monte Carlo draws its directions afresh.
     double integrals_to_pay_off() const;
 };
 

@@ -1,7 +1,7 @@
 // The irradiance of a surface that nothing shadows, for every orientation that it can have:
 //     E(n) = integral of L cos(theta) dw over the hemisphere around the normal n,
-// a table in place of nine harmonics, which err by a few percent (Ramamoorthi & Hanrahan, "An efficient representation
-// for irradiance environment maps", SIGGRAPH 2001).
+// a table in place of nine harmonics, whose error is a few percent (Ramamoorthi & Hanrahan, "An efficient
+// representation for irradiance environment maps", SIGGRAPH 2001).
 #pragma once
 
 #include "scene/environment.h"
@@ -15,8 +15,8 @@ public:
     // largest float.
     explicit IrradianceMap(const EnvironmentMap& environment, unsigned threads = 1);
 
-    // E(n) of a unit normal, linear RGB. The error is below 1e-3 of the largest E, unless much of the light comes from
-    // a source of less than one degree: below 1.3e-2 if all of it comes from a single texel of 1024 x 512.
+    // E(n) of a unit normal, linear RGB. The error is below 1e-3 of the largest E. If much of the light comes from a
+    // source of less than one degree it can be larger: 1.3e-2 if all of it comes from a single texel of 1024 x 512.
     Color operator()(Vec3 normal) const;
 
 private:

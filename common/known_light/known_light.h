@@ -1,16 +1,16 @@
-// The light as the known part of the integrand. The environment is given; what a renderer does not know before it
-// traces a ray is the visibility V, 0 or 1. For a Lambertian surface with the normal n
+// The light as the known part of the integrand. The environment is given. Before it traces a ray, a renderer does not
+// know the visibility V, 0 or 1. For a Lambertian surface with the normal n
 //     L_o = (albedo / pi) integral over H of V L cos(theta) dw
 //         ~ (albedo / pi) E(n) sum of w_j L_j V_j / sum of w_j L_j,
-// where w_j are the weights of a rule for the known part cos(theta), none below 0, and L_j the mean of L over the cap
-// around sample j whose solid angle is the sample's own, w_j / cos(theta_j). The quotient makes a constant V exact.
+// where w_j are the weights of a rule for the known part cos(theta), none below 0. L_j is the mean of L over a cap
+// around sample j; its solid angle is the sample's own, w_j / cos(theta_j). For a constant V the quotient is exact.
 // Means over the solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance
 // sampling", Computer Graphics Forum 27(4), 2008.
 //
-// The sun (sun.h) is a light of its own, with the same quotient: its rays j = 0 .. m - 1 go to the texels after the
-// fractions (j + u_j) / m of its light, u_j random numbers of the pixel, and w_j is cos(theta_j), 0 below the horizon.
-// The sun gets half of its share of the light of a pixel's samples, but one at least. The rule for the sky gets the
-// others, but one at least: the edge of what hides the sun needs few.
+// The sun (sun.h) is a light of its own, with the same quotient. Its rays j = 0 .. m - 1 go to the texels after the
+// fractions (j + u_j) / m of its light, where u_j are random numbers of the pixel; w_j is cos(theta_j), 0 below the
+// horizon. If the sun sends the share s of the light, it gets s / 2 of a pixel's samples: the edge of its shadow needs
+// few. The rule for the sky gets the others. Each gets at least one.
 #pragma once
 
 #include "known_light/prefiltered_environment.h"
@@ -23,9 +23,9 @@ std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples
 // The settings of the rule for the sky: without the sun's samples, the cosine known.
 RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light);
 
-// A rule with weights for the quotient, and for each direction the means of the light over caps of about the sample's
-// solid angle: between a quarter of an even share of the hemisphere and four times as much, also where a weight is
-// negative.
+// A rule with weights for the quotient, and for each direction the means of the light over caps of about its solid
+// angle. That lies between a quarter of an even share of the hemisphere and four times as much, also for a negative
+// weight.
 struct KnownLightRule : PixelRule {
     Caps caps;
 };
@@ -42,8 +42,7 @@ struct Quotient {
 // The fraction of each colour of the sky's light that passes the other object.
 Color visible_sky(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame);
 
-// The same of the sun's light, by so many rays; and how often a ray passes and the next one does not, or the other way
-// round.
+// The same of the sun's light, by so many rays; and how often the visibility of a ray and of the next one differ.
 struct VisibleSun {
     Color fraction;
     double changes;

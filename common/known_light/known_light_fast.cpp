@@ -12,8 +12,8 @@ constexpr std::size_t batch = 256;  // rays
 
 }  // namespace
 
-// If no ray is shadowed, both sums of the quotient are equal. Otherwise the texels of a batch of rays are found first,
-// in a loop whose turns are independent, and then the sums, in the order of the plain loop.
+// If no ray is shadowed, both sums of the quotient are equal. Otherwise the texels of a batch of rays come first, in a
+// loop with independent iterations; then the sums, in the order of the plain loop.
 Color visible_sky_fast(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame) {
     const CosineRule& directions = rule.directions;
     const float *const x = directions.x.data(), *y = directions.y.data(), *z = directions.z.data();

@@ -11,8 +11,8 @@ using portable::pi;
 
 constexpr std::size_t lookups = 64;  // that a mean is made of
 
-// Directions spread evenly over the inner three quarters of a cap around the up axis: what is averaged there reaches to
-// the cap's edge.
+// Directions spread evenly over the inner three quarters of a cap around the up axis. The smaller caps around them
+// reach to the cap's edge.
 std::vector<Direction> cap_directions(double solid_angle) {
     const double depth = 0.75 * solid_angle / (2 * pi);  // 1 less the cosine of the radius
     std::vector<Direction> directions;
@@ -53,7 +53,7 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, unsign
 }
 
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
-// lookups in the finer one. The last row and column, which only u = 1 and v = 1 meet, repeat their neighbours.
+// lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
 LightTable PrefilteredEnvironment::average(const LightTable& finer, double solid_angle, unsigned threads) {
     const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
     const std::vector<Direction> local = cap_directions(solid_angle);

@@ -1,4 +1,4 @@
-// Means of an environment over caps of several sizes, as tables: what a ray that stands for a cap of directions sees.
+// Means of an environment over caps of several sizes, as tables: a ray that stands for a cap of directions sees them.
 // Kautz, Vazquez, Heidrich & Seidel, "A unified approach to prefiltered environment maps", Eurographics Workshop on
 // Rendering 2000.
 #pragma once
@@ -36,11 +36,11 @@ public:
     // The sun has no part in the caps' means.
     const Sun& sun() const { return sun_; }
 
-    // Caps of solid angle pi, by quarters down to ten texels across, and last the map itself. To each mean a millionth
-    // of a mean over all directions is added, so that where there is light no cap is black.
+    // Caps of the solid angle pi, pi / 4, ..., down to ten texels across; the last table is the map itself. A millionth
+    // of the mean over all directions is added to each mean, so that no cap is black where there is light.
     const std::vector<LightTable>& tables() const { return tables_; }
 
-    // The table whose caps come nearest to a solid angle > 0 by their ratio.
+    // The table whose caps are nearest to a solid angle > 0, by the ratio.
     const LightTable& table(double solid_angle) const;
 
     // E(n) of a unit normal, by the sky, by the sun, and by both.

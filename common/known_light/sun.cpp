@@ -21,8 +21,8 @@ double all_light(const TexelsOnSphere& texels) {
     return sum;
 }
 
-// The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966): any stretch of
-// texels in this order is a compact piece of the map, so that few of the rays' strata have an edge across.
+// The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
+// order are a compact piece of the map, so the edge of a shadow crosses few of the rays' strata.
 std::uint64_t z_order(std::uint64_t row, std::uint64_t column) {
     std::uint64_t order = 0;
     for (int bit = 0; bit < 27; ++bit) order |= (row >> bit & 1) << (2 * bit + 1) | (column >> bit & 1) << 2 * bit;

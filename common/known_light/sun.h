@@ -1,6 +1,6 @@
 // The sun of an environment map: its texels of more than a hundred times the mean radiance. Hardly a direction of a
-// rule meets them, whatever it weighs, so they have rays of their own: each kind of light is sampled by what suits it
-// (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
+// rule meets them, so they have rays of their own: each kind of light is sampled in the way that suits it (Veach &
+// Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 #pragma once
 
 #include "scene/environment.h"
@@ -28,7 +28,7 @@ public:
         Color colour;
     };
 
-    // The texel that light meets after a fraction u in [0, 1) of all of it, texels taken in Morton's order.
+    // The ray to the texel at the fraction u in [0, 1) of all light, if texels are taken in Morton's order.
     const Ray& ray(double u) const;
 
 private:

@@ -1,4 +1,4 @@
-// The texels of an environment map as pieces of the sphere: what averages over directions are made of.
+// The texels of an environment map as pieces of the sphere, for averages over directions.
 #pragma once
 
 #include "scene/environment.h"
@@ -6,8 +6,8 @@
 #include <algorithm>
 
 namespace bmc {
-// The texels that have a solid angle, which the last row and the last column of a map have not (a single one has).
-// Where there are too few of them, each is cut into equal pieces.
+// The texels that have a solid angle: all but the last row and the last column, unless there is one only. If there are
+// too few of them, each is cut into equal pieces.
 class TexelsOnSphere {
 public:
     TexelsOnSphere(const EnvironmentMap& map, int min_columns, int min_rows)

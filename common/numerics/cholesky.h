@@ -16,10 +16,11 @@
 #include <vector>
 
 namespace bmc {
-// Thrown where a pivot is not positive or too small to be told from 0: the pivot of row k is a_kk less k squares, none
-// larger than a_kk, and must exceed the rounding error of these k + 1 operations, (k + 1) eps a_kk (Higham, "Accuracy
-// and Stability of Numerical Algorithms", 2002, section 10.1). The rule sees this row alone. What the rows above have
-// lost is not in it, so a matrix that passes can still be singular to working precision: the condition number tells.
+// Thrown if a pivot is not positive or as small as its rounding error. The pivot of row k is a_kk less k squares, none
+// of them larger than a_kk. So the rounding error of these k + 1 operations is at most (k + 1) eps a_kk (Higham,
+// "Accuracy and Stability of Numerical Algorithms", 2002, section 10.1). The rule sees this row alone, not what the
+// rows above have lost: a matrix that passes can still be singular to working precision. Its condition number shows
+// that.
 struct NotPositiveDefinite : std::runtime_error {
     NotPositiveDefinite(std::size_t pivot_index, double pivot_value, double least);
 
@@ -47,8 +48,8 @@ public:
     // x with A x = b. b has n elements.
     std::vector<double> solve(std::vector<double> b) const;
 
-    // A^-1, n x n: column j is what solve returns for e_j. By symmetry half of every column would do; but where A is
-    // nearly singular, an inverse whose columns mix several solutions has residuals far above rounding.
+    // A^-1, n x n: column j is what solve returns for e_j. By symmetry half of every column would do. But if A is
+    // nearly singular, columns that mix several solutions have residuals far above rounding.
     Matrix inverse() const;
 
     // ln det A.

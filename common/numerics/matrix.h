@@ -33,7 +33,7 @@ private:
     std::vector<double> elements_;
 };
 
-// The largest sum of absolute values in a row: the norm |A| that belongs to the largest element of a vector.
+// |A|, the largest sum of absolute values in a row: the norm that the maximum norm of vectors induces.
 inline double row_sum_norm(const Matrix& a) {
     double largest = 0;
     for (std::size_t i = 0; i < a.rows(); ++i) {

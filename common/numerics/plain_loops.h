@@ -1,5 +1,5 @@
-// Whether the textbook's loops run where a fast twin of them exists (cholesky_fast, reflection_fast): renderer --plain.
-// They take longer and give the same bits.
+// renderer --plain sets this: the textbook's loops run in place of their fast twins (cholesky_fast, reflection_fast,
+// known_light_fast). They are slower and give the same bits.
 #pragma once
 
 namespace bmc {

@@ -3,7 +3,7 @@
 // 754 defines to the last bit. Every other file includes this header first, so that its guards hold there.
 #pragma once
 
-// Switched off for one purpose: a portability check has to see that other arithmetic does change the output.
+// Only a portability check defines this: it has to see that other arithmetic changes the output.
 #ifndef UNGUARDED_ARITHMETIC
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \

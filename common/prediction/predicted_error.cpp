@@ -6,8 +6,8 @@
 namespace bmc {
 namespace {
 
-// f at a direction of a process is the light, times the cosine unless that is known; a sample of Monte Carlo is what
-// its weight makes of the light, times n.
+// The factor of the light in a sample: for a process cos(theta), or 1 if it is known; for Monte Carlo n times the
+// weight.
 double factor_of(const ModelledRule& rule, KnownPart known, std::size_t j) {
     if (!rule.process) return static_cast<double>(rule.directions.size()) * rule.directions.weights[j];
     return known == KnownPart::cosine ? 1 : static_cast<double>(rule.directions.y[j]);

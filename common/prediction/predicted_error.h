@@ -1,7 +1,7 @@
-// What the samples of a pixel say of its error, without the truth: the variance a^2 U of each colour, where a^2 follows
-// from the values of the samples and U from their directions.
-// A Gaussian process of amplitude a errs with the variance a^2 V (gaussian_process.h), so that, with the reflected
-// light (albedo / pi) I,
+// The error of a pixel, predicted by its samples without the truth: the variance a^2 U of each colour. a^2 follows from
+// the values of the samples, U from their directions.
+// The error of a Gaussian process of amplitude a has the variance a^2 V (gaussian_process.h). The reflected light is
+// (albedo / pi) I, so
 //     a^2 = (albedo / pi)^2 Y^T Q^-1 Y / n,   U = V.
 // Monte Carlo on independent directions has the variance of its samples in place of Y^T Q^-1 Y / n, and U = 1 / n.
 #pragma once
@@ -15,7 +15,7 @@ struct PixelError {
     Color squared_amplitude;  // a^2
     Color unit_variance;      // U
     std::size_t samples;      // n
-    Color other_variance{};   // of what these samples do not estimate
+    Color other_variance{};   // of the part of the light that these samples do not estimate
 };
 
 // The error of the light that a point reflects, from its pixel's stream of random numbers. Many threads call it.
@@ -34,16 +34,16 @@ PixelError error_of_light(const Scene& scene, const EnvironmentMap& environment,
 ErrorOf error_of_picture(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings,
                          const Progress& progress = nullptr);
 
-// Whether a picture's samples say anything of its error: those of Monte Carlo have to be independent, and two at least.
+// Whether a picture's samples predict its error. Those of Monte Carlo have to be independent, and at least two.
 bool predicts_error(const RenderSettings& settings);
 
-// The predicted standard error. A pixel all of whose n samples are dark has a = 0 and knows nothing: the mean square of
-// a over the picture counts as much as three samples more,
+// The predicted standard error. A pixel whose n samples are all dark has a = 0, though it knows nothing. So the mean of
+// a^2 over the picture counts like three samples more,
 //     se^2 = U (n a^2 + 3 a_picture^2) / (n + 3) + other_variance.
 Color standard_error(const PixelError& error, Color picture_squared_amplitude);
 
-// Of a picture's errors: their root mean square over so many pixels, all others being 0 (0 of none); and the picture
-// that shows the root mean square over the colours of each pixel in grey, 0 black and `white` white.
+// Of a picture's errors: their root mean square over so many pixels, if all others are 0 (0 of no pixels); and a
+// picture that shows the root mean square over each pixel's colours in grey, from black at 0 to white at `white`.
 double root_mean_square(const Image& errors, double pixels);
 Image grey_scale(const Image& errors, double white);
 

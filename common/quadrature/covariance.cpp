@@ -9,7 +9,7 @@ using portable::pi;
 
 namespace {
 
-// The smallest modulus that is told apart: z is linear in c near the equator, so this moves it by less than 1e-17.
+// Smaller moduli count as this one. z is linear in c near the equator, so its error is below 1e-17.
 constexpr double smallest_modulus = 0x1p-60;
 
 // The rim integral's trapezoidal rule has an error of about e^(-pi^2 / step): below rounding at 1/4, not at 0.3.
@@ -60,8 +60,8 @@ double cosine_integral(double cos_theta) {
            16 * std::sqrt(2.0) / 15 * std::sqrt(1 + sigma) * (2 * cel(q, 1, 1, q * q) - cel(q, 1 / q, 1, 1));
 }
 
-// The nodes y = e^(h k) of the trapezoidal rule in u = ln y, step h. From e^-38 to e^80 they reach from where the rim
-// integrand has vanished at its lower end to where it has at its upper end, e^38 / q, for the smallest modulus q.
+// The nodes y = e^(h k) of the trapezoidal rule in u = ln y, step h, from e^-38 to e^80. Below the first and above the
+// last the rim integrand is less than rounding, for every modulus q: its upper end is e^38 / q.
 std::vector<double> logarithmic_nodes(double step) {
     std::vector<double> nodes;
     for (int k = 0; k * step <= 38 + 80; ++k) nodes.push_back(portable::exp(k * step - 38));

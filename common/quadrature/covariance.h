@@ -14,7 +14,7 @@
 #include <vector>
 
 namespace bmc {
-// What is known of the integrand: p = 1, or p = cos(theta), which leaves the incident radiance to be modelled.
+// What is known of the integrand: p = 1, or p = cos(theta). Then the process models the incident radiance alone.
 enum class KnownPart { nothing, cosine };
 constexpr std::pair<const char*, KnownPart> known_part_names[] = {{"nothing", KnownPart::nothing},
                                                                   {"cosine", KnownPart::cosine}};
@@ -29,8 +29,8 @@ public:
         return squared_chord;
     }
 
-    // In place: count squared chords become covariances. One call for many values lets a covariance of plain arithmetic
-    // compute them side by side.
+    // In place: squared chords become covariances. With one call for many values, those of plain arithmetic are
+    // computed side by side.
     virtual void replace_by_covariances(double* squared_chords, std::size_t count) const = 0;
 
     // z of a direction, by its elevation cosine in [0, 1].
@@ -82,7 +82,7 @@ public:
 
 private:
     double kappa_;      // 1 / l^2
-    double even_part_;  // pi (1 - e^(-2 kappa)) / kappa: what z has in common for every direction
+    double even_part_;  // pi (1 - e^(-2 kappa)) / kappa: the part of z that is the same for all directions
 };
 
 // The families of covariances that experiments and options name, each with one parameter: smoothness, length-scale.

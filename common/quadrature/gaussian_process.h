@@ -3,8 +3,8 @@
 //     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f p over H ~ sum of weights_i f(w_i),
 // where p is the known part of the integrand: 1 as in the practice, or cos(theta).
 //
-// The prior mean is zero. Q, z and the weights depend on the directions alone, never on f: a process is made once, and
-// serves any number of integrals and threads.
+// The prior mean is zero. Q, z and the weights depend on the directions alone, not on f. So a process is made once, for
+// any number of integrals and threads.
 #pragma once
 
 #include "numerics/cholesky.h"
@@ -16,10 +16,9 @@
 namespace bmc {
 class GaussianProcess {
 public:
-    // n >= 1 unit directions in the upper hemisphere; noise >= 0 is the standard deviation of the samples' error in
-    // units of the amplitude, and what keeps Q positive definite where samples nearly coincide. Throws
-    // std::invalid_argument for other arguments and a known part for which the covariance has no closed form;
-    // NotPositiveDefinite.
+    // n >= 1 unit directions in the upper hemisphere. noise >= 0: standard deviation of the samples' error over the
+    // amplitude; it keeps Q positive definite where samples nearly coincide. Throws std::invalid_argument for other
+    // arguments and for a known part for which the covariance has no closed form; NotPositiveDefinite.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                     KnownPart known = KnownPart::nothing);
 

@@ -1,5 +1,5 @@
-// Quadrature rules over the hemisphere: what Monte Carlo and Bayesian Monte Carlo have in common. Whoever applies a
-// rule need not know where its weights come from.
+// Quadrature rules over the hemisphere: what Monte Carlo and Bayesian Monte Carlo have in common. To apply a rule, one
+// need not know where its weights come from.
 #pragma once
 
 #include "quadrature/gaussian_process.h"
@@ -41,15 +41,15 @@ struct DirectionSet {
 // A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
 
-// Monte Carlo: all directions count alike. Cosine-distributed ones bring cos(theta) as the known part: importance
-// sampling of f cos(theta). Lattices: quasi-Monte Carlo.
+// Monte Carlo: all weights are equal. Directions with density cos(theta) / pi have cos(theta) as the known part: that
+// is importance sampling of f cos(theta). On a lattice it is quasi-Monte Carlo.
 QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess; throws as it does.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                              KnownPart known = KnownPart::nothing);
 
-// What rules are made by, the number of their directions apart: what all experiments have settings for.
+// Settings of a rule, except its number of directions.
 struct ModelSettings {
     CovarianceFamily covariance = CovarianceFamily::sobolev;
     double smoothness = 1.5;  // of the family sobolev

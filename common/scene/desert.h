@@ -1,4 +1,4 @@
-// The lights that the project brings along, and the choice between them and one from a file.
+// The built-in lights, and the choice between them and a light from a file.
 #pragma once
 
 #include "scene/environment.h"
@@ -19,7 +19,7 @@ constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and
 // std::runtime_error, one line that names the file.
 EnvironmentMap load_environment(const std::string& name = "desert", unsigned threads = 1);
 
-// What a help text says of the name.
+// For the help text of an option that takes the name.
 constexpr const char* environment_help =
     "light from a Radiance .hdr file, bright-desert (its sun a thousand times brighter) or black-and-white (half of "
     "the directions bring light)";

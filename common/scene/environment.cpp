@@ -24,7 +24,7 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
 EnvironmentMap::EnvironmentMap(int width, int height)
     : grid_(width, height), rgb_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + padding) {}
 
-// The last column and the last row count only in a map that has no other: they have no width.
+// The last column and the last row have no width. They count only in a map that has no other.
 Color EnvironmentMap::interpolated_radiance(Vec3 direction) const {
     const int columns = std::max(width() - 1, 1), last_row = std::max(height() - 2, 0);
     const double u = grid_.column_coordinate(direction.x, direction.z) - 0.5,

@@ -1,7 +1,7 @@
-// Light from infinitely far away: a map of radiance over all directions. One of W x H texels has rows of constant
-// elevation, row 0 around +y, and columns of constant azimuth, -z in the middle and +x to the right of it. With u = (1
-// + atan2(x, -z) / pi) / 2 and v = acos(y) / pi, a direction meets column floor(u (W - 1)) and row floor(v (H - 1));
-// the last of them are met only where u or v is 1.
+// Light from infinitely far away: a map of radiance over all directions. A map of W x H texels has rows of constant
+// elevation, row 0 around +y, and columns of constant azimuth, -z in the middle and +x to the right of it. A direction
+// meets column floor(u (W - 1)) and row floor(v (H - 1)), where u = (1 + atan2(x, -z) / pi) / 2 and v = acos(y) / pi.
+// So it meets the last column or row only if u or v is 1.
 #pragma once
 
 #include "numerics/vec3.h"
@@ -19,16 +19,16 @@ public:
     // Row * width_ + column of the texel that a direction of unit length sees, in the precision of its components.
     // Anything else, nan included, still gives a texel of the map.
     //
-    // This runs for every secondary ray, so it is a straight line of arithmetic that a compiler can turn into SIMD. The
+    // This runs for every secondary ray. It is arithmetic without a branch, which a compiler can turn into SIMD. The
     // polynomials err by at most 2.3e-8, 4e-6 of a texel in a map 1024 wide. Rounding in single precision moves a
-    // texel's border by 3e-5, and may take the last of more than 2^24 texels for one more.
+    // texel's border by 3e-5; beyond 2^24 texels the index itself is rounded.
     template <class Real>
     int texel_index(Real x, Real y, Real z) const {
         const int i = static_cast<int>(row_coordinate(y)), j = static_cast<int>(column_coordinate(x, z));
         return (i < height_ ? i : height_ - 1) * width_ + (j < width_ ? j : width_ - 1);
     }
 
-    // v (H - 1) and u (W - 1), for those who look between texels.
+    // v (H - 1) and u (W - 1), with their fractions.
     template <class Real>
     Real row_coordinate(Real y) const {
         return clamp(arccosine(y) * Real(1 / portable::pi) * Real(height_ - 1), Real(height_ - 1));
@@ -94,8 +94,8 @@ public:
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }
 
-    // Texel i is at 3 i, 3 i + 1, 3 i + 2. After the last of them stand as many zeros as padding says: a black texel,
-    // for loops that take four floats at a time.
+    // Texel i is at 3 i, 3 i + 1, 3 i + 2. After the last one stand `padding` zeros: a black texel, for loops that take
+    // four floats at a time.
     static constexpr std::size_t padding = 4;
     const float* texels() const { return rgb_.data(); }
     Color texel(int i) const {

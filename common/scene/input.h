@@ -23,7 +23,8 @@ struct InputRow {
     std::vector<double> numbers;
 };
 
-// The lines, ended in LF, CR LF or CR, that hold numbers, between white space or commas, before a '#'. Throws
-// std::runtime_error that names the line for what is no finite number, and for none or more than max_rows of them.
+// The lines that hold numbers, which white space or commas separate; the rest of a line after '#' is a comment. Lines
+// end in LF, CR LF or CR. Throws std::runtime_error that names the line for a word that is no finite number, and for
+// none or more than max_rows lines.
 std::vector<InputRow> read_rows(std::istream& in, std::size_t max_rows);
 }  // namespace bmc

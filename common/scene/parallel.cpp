@@ -27,7 +27,7 @@ void for_each_row(int rows, unsigned threads, const std::function<void(int)>& ro
     std::vector<std::future<void>> helpers;
     try {
         for (unsigned i = 1; i < threads; ++i) helpers.push_back(std::async(std::launch::async, work, nullptr));
-    } catch (const std::system_error&) {  // the system starts no more: those that it has started do all
+    } catch (const std::system_error&) {  // the system starts no more threads: those that run do all
     }
     work(progress);
     for (std::future<void>& helper : helpers) helper.get();

@@ -47,13 +47,13 @@ using MakeRule = std::function<std::shared_ptr<const PixelRule>(DirectionSet)>;
 
 class PixelRules {
 public:
-    // The rules of Monte Carlo or of Gaussian processes, or those that `make` makes. Makes the ones that pixels share:
-    // rule i on directions from the random stream 2^63 + i, as pixels have the streams from 0. Throws what the Gaussian
-    // processes throw.
+    // The rules of Monte Carlo or of Gaussian processes, or those of `make`. The constructor makes the rules that
+    // pixels share: rule i on directions from the random stream 2^63 + i, since pixels have the streams from 0. Throws
+    // what the Gaussian processes throw.
     explicit PixelRules(const RenderSettings& settings, const Progress& progress = nullptr);
     PixelRules(const RenderSettings& settings, MakeRule make, const Progress& progress = nullptr);
 
-    // The part that they have in the work on a picture, where a rule counts as much as a row.
+    // The part of the constructor in the work on a picture, if a rule takes as long as a row.
     static double share_of_work(const RenderSettings& settings);
 
     const std::vector<std::shared_ptr<const PixelRule>>& shared() const { return shared_rules_; }

@@ -5,7 +5,7 @@
 
 namespace bmc {
 // BEGIN SOLUTION shade
-// The cosine belongs to the weights unless it is the rule's known part, which its weights have in them.
+// Weights get the factor cos(theta), unless it is the rule's known part: then they have it already.
 CosineRule cosine_rule(const QuadratureRule& rule) {
     CosineRule cosine_rule;
     for (std::size_t i = 0; i < rule.weights.size(); ++i) {

@@ -1,6 +1,6 @@
-// What a pixel does with a quadrature rule: the light that a point reflects, where nothing emits but the environment,
-//     L_o = integral over H of (albedo / pi) V L cos(theta) dw ~ (albedo / pi) sum of weight_i V_i L_i,
-// whose visibility V is 0 for a direction that the other object shadows, and 1 for the others.
+// What a pixel does with a quadrature rule: the light that a point reflects, if nothing emits but the environment,
+//     L_o = integral over H of (albedo / pi) V L cos(theta) dw ~ (albedo / pi) sum of weight_i V_i L_i.
+// The visibility V is 0 for a direction that the other object shadows, and 1 for all others.
 #pragma once
 
 #include "quadrature/quadrature.h"
@@ -8,9 +8,8 @@
 #include "scene/scene.h"
 
 namespace bmc {
-// A rule for the integral of f cos(theta) dw over H, where f is to be sampled: cos(theta) is in its weights. An array
-// for each component, so that neighbouring directions can be worked on side by side, eight at a time: after the last
-// one stand eight zeros.
+// A rule for the integral of f cos(theta) dw over H, where f is sampled: cos(theta) is in its weights. Each component
+// has an array of its own, so that a loop can take eight directions at a time; after the last one stand eight zeros.
 struct CosineRule {
     static constexpr std::size_t padding = 8;
     std::vector<float> x = std::vector<float>(padding), y = x, z = x;

@@ -12,8 +12,8 @@ constexpr std::size_t batch = 256;  // rays
 
 }  // namespace
 
-// First the texels of a batch of rays, in a loop whose turns are independent; a shadowed ray has the black one behind
-// the map. Then the sum, in the order of the plain loop, whose texels are on their way by then.
+// First the texels of a batch of rays; a shadowed ray has the black one behind the map. Iterations of that loop are
+// independent. Then the sum, in the order of the plain loop; its texels are on their way from memory by then.
 Color reflected_light_fast(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
                            const CosineRule& rule, const Frame& frame) {
     const float *const texels = environment.texels(), *x = rule.x.data(), *y = rule.y.data(), *z = rule.z.data();

@@ -61,12 +61,12 @@ void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
             if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
 }
 
-// The number of these pixels.
+// The number of pixels that show an object.
 double object_pixels(const Scene& scene, const Camera& camera);
 
-// Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it;
-// computed in the direction's precision, without a branch, so that many directions can be tried side by side:
-// |o|^2 - (o.d)^2 < radius^2 for the offset o to the centre, where the centre lies ahead.
+// Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it. It
+// is computed in the direction's precision and without a branch, so that a loop can try many directions side by side.
+// A sphere shadows if its centre lies ahead and |o|^2 - (o.d)^2 < radius^2, where o is the offset to the centre.
 template <class Vector>
 bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vector direction) {
     using Real = decltype(direction.x);
@@ -75,7 +75,7 @@ bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vector direction) {
     return (ahead > 0) & (ahead * ahead > Real(dot(o, o) - sphere.radius * sphere.radius));
 }
 
-// From a height h on either side of the plane, the point where the ray meets it, multiplied by the ray's approach.
+// The point where the ray meets the plane, times the ray's approach to it, from either side.
 template <class Vector>
 bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vector direction) {
     using Real = decltype(direction.x);
@@ -88,7 +88,7 @@ bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vector direction) {
            (along <= Real(rectangle.z_max - point.z) * approach);
 }
 
-// f of the object that can shadow a hit. The objects are convex: one is shadowed by the other only.
+// f of the object that can shadow a hit: the other one, since both are convex.
 template <class Function>
 auto of_other_object(const Scene& scene, const Hit& hit, Function f) {
     return hit.object == Object::sphere ? f(scene.rectangle) : f(scene.sphere);

@@ -31,7 +31,7 @@ Image plain_picture(const EnvironmentMap& environment, const RenderSettings& set
 
 }  // namespace
 
-TEST_CASE("the directions of a pixel are those that README gives") {
+TEST_CASE("the directions of a pixel are those that specification.md gives") {
     const auto hit = intersect(sphere_scene(), Camera{500, 500}.ray(0, 499));
     REQUIRE(hit.has_value());
     Random random(1, 499 * 500);
