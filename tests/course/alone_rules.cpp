@@ -27,6 +27,7 @@ double mark(const std::vector<double>& values) {
 
 }  // namespace
 
+namespace bmc {
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
     DirectionSet set{placement, {}};
     for (std::size_t i = 0; i < n; ++i) {
@@ -63,6 +64,7 @@ CosineRule cosine_rule(const QuadratureRule& rule) {
 }
 
 Color reflected_light(const Scene&, const EnvironmentMap&, const Hit&, const CosineRule&, const Frame&) { return {}; }
+}  // namespace bmc
 
 namespace {
 
