@@ -7,7 +7,7 @@
 # make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
-# make fuzz         FUZZ_SECONDS of made-up pictures and command lines, by clang++'s libFuzzer
+# make fuzz         FUZZ_SECONDS of made-up files and command lines, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
 # make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
@@ -35,7 +35,7 @@ doctest:
 $(BUILD)/unit_tests: $(TESTS) $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_tolerant.o $(COMMON)
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(BUILD)/tests/output/compare_text.o $(BUILD)/tests/output/compare_picture.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
 
 judge: $(BUILD)/judge
@@ -81,7 +81,7 @@ sanitizers:
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run product
 
 FUZZ_SECONDS ?= 60
-FUZZERS = fuzz_environment fuzz_picture fuzz_command_line
+FUZZERS = fuzz_files fuzz_command_line
 fuzz:
 	@tests/require_tool libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \

@@ -9,5 +9,5 @@ check: check_programs
 	@BUILD=$(BUILD) BIN=$(BIN) tests/check --built
 check_programs: all $(BUILD)/compare $(ALONE)
 
-$(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_tolerant.o $(COMMON)
+$(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_text.o $(BUILD)/tests/compare_picture.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@

@@ -1,42 +1,30 @@
-// What compare.cpp reads, and its tolerant half.
+// What the comparisons of texts and of pictures share.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
+#include "numerics/formatted.h"
+
+#include <cmath>
 #include <string>
-#include <vector>
 
-// Text: lines of columns between white space; a line that begins with # is a header.
-std::vector<std::string> split_lines(const std::string& text);
-std::vector<std::string> split_columns(const std::string& line);
-bool is_row(const std::string& line);
+// Whether a number may stand in the place of the reference's. A tolerance is relative, plus 1e-9; 0 tolerates nothing.
+inline bool agree(double reference, double actual, double tolerance) {
+    return reference == actual ||
+           (tolerance > 0 && std::fabs(actual - reference) <= tolerance * std::fabs(reference) + 1e-9);
+}
 
-std::string in_words(double value, int digits);
-std::string count_of(std::size_t differing, std::size_t all, const char* what);
+inline std::string in_words(double value, int digits) { return bmc::formatted("%.*g", digits, value); }
 
-// A picture of three channels a pixel.
-struct Picture {
-    bool floats;
-    std::size_t width, height;
-    std::string header;                   // in one line
-    std::vector<std::uint32_t> channels;  // PPM: the bytes; PFM: the bits of the floats
+inline std::string count_of(std::size_t differing, std::size_t all, const char* what) {
+    return bmc::formatted("%zu of %zu %s %s", differing, all, what, differing == 1 ? "differs" : "differ");
+}
 
-    double value(std::size_t i) const;
+inline void add(std::string& text, const std::string& clause) {
+    if (!clause.empty()) text += (text.empty() ? "" : "; ") + clause;
+}
 
-    // Where channel 0 of the pixel in column x of row y is; row 0 is the top, and a PFM begins at the bottom.
-    std::size_t index(std::size_t x, std::size_t y) const { return 3 * ((floats ? height - 1 - y : y) * width + x); }
-};
+// What makes results so many times as large, in brackets, if it is known.
+std::string reason(double ratio);
 
-// An output that another one could be mistaken for.
-template <class Output>
-struct Named {
-    std::string name;
-    Output output;
-};
-
-// In words, what differs by more than is tolerated; empty if nothing does.
-std::string tolerant_text_difference(const std::string& reference, const std::string& actual, double tolerance,
-                                     const std::vector<Named<std::string>>& others);
-std::string tolerant_picture_difference(const Picture& reference, const Picture& actual,
-                                        const std::vector<Named<Picture>>& others);
+// In words, what does not agree; empty if all does. The reference of a picture begins with P.
+std::string text_difference(const std::string& reference, const std::string& actual, double tolerance);
+std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance);

@@ -1,26 +1,9 @@
-#include "quadrature/hemisphere.h"
 #include "scene/desert.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <sstream>
-
-#include "scene/radiance_hdr.h"
-#include "scene/render.h"
 
 #include "test.h"
 
-namespace {
-
-std::vector<float> values(const EnvironmentMap& map) {
-    return std::vector<float>(map.texels(), map.texels() + 3 * map.width() * map.height());
-}
-
-}  // namespace
-
 TEST_CASE("the built-in environment is a picture of 1024 x 512 radiances in [0, 1], well exposed and always the same") {
-    const std::vector<float> first = values(load_environment());
+    const std::vector<float> first = values(desert);
     REQUIRE(first.size() == 3 * 1024 * 512);
     CHECK(first == values(load_environment()));
     CHECK(*std::min_element(first.begin(), first.end()) >= 0);
@@ -42,31 +25,13 @@ TEST_CASE("the built-in environment has blue sky above, sand below, a sun and an
     CHECK(inside.z > inside.x);
 }
 
-TEST_CASE(
-    "the built-in environment written as .hdr and read back gives the picture within a grey level but for 0.1 %") {
-    std::istringstream file(to_radiance_hdr(desert));
-    RenderSettings settings;
-    settings.width = settings.height = 200;
-    const std::string direct = to_ppm(render(sphere_scene(), desert, settings));
-    const std::string by_file = to_ppm(render(sphere_scene(), read_radiance_hdr(file), settings));
-    REQUIRE(direct.size() == by_file.size());
-    std::size_t different = 0;
-    for (std::size_t i = direct.size() - 3 * 200 * 200; i < direct.size(); i += 3) {
-        int largest = 0;
-        for (std::size_t j = i; j < i + 3; ++j)
-            largest = std::max(
-                largest, std::abs(static_cast<unsigned char>(direct[j]) - static_cast<unsigned char>(by_file[j])));
-        different += largest > 1;
-    }
-    CHECK(different <= 40);  // of 40000
-}
-
 TEST_CASE("the bright desert is the desert, but for its sun a thousand times as bright") {
-    const std::vector<float> pale = values(desert), bright = values(load_environment("bright-desert"));
+    const EnvironmentMap bright_desert = load_environment("bright-desert");
+    const std::vector<float> even = values(desert), bright = values(bright_desert);
     int changed = 0, darker = 0;
-    for (std::size_t i = 0; i < pale.size(); i += 3) {
-        changed += bright[i] != pale[i];
-        darker += bright[i] < pale[i];
+    for (std::size_t i = 0; i < even.size(); i += 3) {
+        changed += bright[i] != even[i];
+        darker += bright[i] < even[i];
     }
     CHECK(darker == 0);
     // A disc of radius acos(1 - 2 (1 - 0.9976)) = 5.6 degrees at an elevation of 29 degrees: pi 5.6^2 of texels that
@@ -74,9 +39,7 @@ TEST_CASE("the bright desert is the desert, but for its sun a thousand times as 
     CHECK(changed > 860);
     CHECK(changed < 960);
     const Vec3 sun{0.8, 0.48, 0.36};
-    CHECK(std::fabs(load_environment("bright-desert").radiance(sun).x / load_environment().radiance(sun).x - 1000) <
-          1e-3);
-    CHECK(load_environment("bright-desert").radiance(sun).x == load_environment("bright-desert").radiance(sun).x);
+    CHECK(std::fabs(bright_desert.radiance(sun).x / desert.radiance(sun).x - 1000) < 1e-3);
 }
 
 TEST_CASE("black and white is light from every direction with x > 0, and none from elsewhere") {

@@ -2,27 +2,18 @@
 
 #include "test.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace {
 
 constexpr int side = 40;
 
 Truth grey() {
-    Image image(side, side);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) image.set(x, y, {0.5, 0.5, 0.5});
-    return truth_of(image);
+    return truth_of(image_of(side, side, [](int, int) { return Color{0.5, 0.5, 0.5}; }));
 }
 
 // The truth and an error of f(x, y) in every channel.
 template <class Error>
 Image with_error(const Truth& truth, Error f) {
-    Image image = truth.image;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) image.set(x, y, truth.image(x, y) + f(x, y) * Color{1, 1, 1});
-    return image;
+    return image_of(side, side, [&](int x, int y) { return truth.image(x, y) + f(x, y) * Color{1, 1, 1}; });
 }
 
 // Of forty pictures: number i is 0.01 a, or 0.01 / a, in half of them each; the others are all 0.01.
@@ -51,11 +42,9 @@ TEST_CASE("neighbours, beside and below, are alike where their errors differ by 
 TEST_CASE("the mean error of each colour is told for the sphere and for the rectangle") {
     const Truth truth = grey();
     Image picture = truth.image;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
-            const auto hit = intersect(sphere_scene(), Camera{side, side}.ray(x, y));
-            if (hit) picture.set(x, y, hit->object == Object::sphere ? Color{0.5, 0.75, 0.5} : Color{0.5, 0.5, 0.25});
-        }
+    for_each_hit(sphere_scene(), {side, side}, [&](int x, int y, const Hit& hit) {
+        picture.set(x, y, hit.object == Object::sphere ? Color{0.5, 0.75, 0.5} : Color{0.5, 0.5, 0.25});
+    });
     const Fingerprint numbers = fingerprint(picture, truth), expected{0, 0.5, 0, 0, 0, -0.5};
     for (std::size_t i = 0; i < 6; ++i) CHECK(std::fabs(numbers[first_part + i] - expected[i]) < 1e-12);
 }
@@ -83,12 +72,10 @@ TEST_CASE("errors that repeat are correlated at their lag: rows, diagonals, tile
         return lag_of(found);
     };
     const Lag rows = strongest([&](int x, int) { return noise(x); });
-    CHECK(rows.x == 0);
-    CHECK(rows.y == 1);
     const Lag diagonals = strongest([&](int x, int y) { return noise(x + y); });
-    CHECK(diagonals.x == -1);
-    CHECK(diagonals.y == 1);
     const Lag tiles = strongest([&](int x, int y) { return noise(x % 8 + 8 * (y % 8)); });
+    CHECK((rows.x == 0 && rows.y == 1));
+    CHECK((diagonals.x == -1 && diagonals.y == 1));
     CHECK(tiles.x + tiles.y == 8);
 }
 
@@ -99,33 +86,29 @@ TEST_CASE("a number just inside the accepted deviations fits, and one just outsi
         measured[i] = number;
         return compare(measured, correct, {5, 6}).quantities[std::min(i, first_part)].fits();
     };
-    const double reach = 5 * spread * portable::log(1.1);
-    for (const std::size_t i : {std::size_t{0}, std::size_t{4}})  // rmse, block: on a logarithmic scale
-        for (const double sign : {1.0, -1.0}) {
-            const std::vector<Fingerprint> correct = correct_pictures(i, i == 0 ? 1.1 : 1.5);
-            const double r = sign * (i == 0 ? reach : 5 * spread * portable::log(1.5));
-            CHECK(fits(i, 0.01 * portable::exp(0.999 * r), correct));
-            CHECK(!fits(i, 0.01 * portable::exp(1.001 * r), correct));
+    // number(t) is t times as far away as is accepted.
+    const auto check_border = [&](std::size_t i, const std::vector<Fingerprint>& correct, auto number) {
+        CHECK(fits(i, number(0.999), correct));
+        CHECK(!fits(i, number(1.001), correct));
+    };
+    for (const double sign : {1.0, -1.0})
+        for (const auto& [i, a] : {std::pair(0u, 1.1), {4u, 1.5}}) {  // rmse, block: on a logarithmic scale
+            const double reach = sign * 5 * spread * portable::log(a);
+            check_border(i, correct_pictures(i, a), [&](double t) { return 0.01 * portable::exp(t * reach); });
         }
     // The same of errors as small as many samples leave.
     std::vector<Fingerprint> small = correct_pictures(0, 1.1);
     for (Fingerprint& numbers : small) numbers[0] *= 1e-4;
-    CHECK(fits(0, 1e-6 * portable::exp(0.999 * reach), small));
-    CHECK(!fits(0, 1e-6 * portable::exp(1.001 * reach), small));
-    // Brightness as it is; its least deviation is 0.001.
-    CHECK(fits(1, 0.01 + 0.00499, correct_pictures(1, 1)));
-    CHECK(!fits(1, 0.01 + 0.00501, correct_pictures(1, 1)));
-    // Repeats: 6 deviations, of 0.01 at least.
-    CHECK(fits(first_lag, 0.01 - 0.0599, correct_pictures(first_lag, 1)));
-    CHECK(!fits(first_lag, 0.01 - 0.0601, correct_pictures(first_lag, 1)));
+    check_border(0, small, [&](double t) { return 1e-6 * portable::exp(t * 5 * spread * portable::log(1.1)); });
+    // Brightness as it is; its least deviation is 0.001. Repeats: 6 deviations, of 0.01 at least.
+    check_border(1, correct_pictures(1, 1), [](double t) { return 0.01 + t * 0.005; });
+    check_border(first_lag, correct_pictures(first_lag, 1), [](double t) { return 0.01 - t * 0.06; });
     // Correlation by log((0.1 + c) / (1.01 - c)), whose least deviation is 0.1; alike by log(0.003 + f), 0.05.
-    const auto odds = [](double c) { return portable::log((0.1 + c) / (1.01 - c)); };
-    const double high = portable::exp(odds(0.01) + 0.5), correlation = (1.01 * high - 0.1) / (1 + high);
-    CHECK(fits(2, correlation - 1e-4, correct_pictures(2, 1)));
-    CHECK(!fits(2, correlation + 1e-4, correct_pictures(2, 1)));
-    const double alike = 0.013 * portable::exp(0.25) - 0.003;
-    CHECK(fits(3, alike - 1e-5, correct_pictures(3, 1)));
-    CHECK(!fits(3, alike + 1e-5, correct_pictures(3, 1)));
+    check_border(2, correct_pictures(2, 1), [](double t) {
+        const double high = 0.11 * portable::exp(t * 0.5);  // (0.1 + c) / (1.01 - c) is 0.11 at 0.01
+        return (1.01 * high - 0.1) / (1 + high);
+    });
+    check_border(3, correct_pictures(3, 1), [](double t) { return 0.013 * portable::exp(t * 0.25) - 0.003; });
 }
 
 TEST_CASE("numbers together may be 7 standard deviations away") {

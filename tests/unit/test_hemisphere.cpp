@@ -2,8 +2,6 @@
 
 #include "test.h"
 
-#include <algorithm>
-
 namespace {
 
 double largest_difference(Vec3 a, Vec3 b) {
@@ -14,65 +12,42 @@ Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.
 
 }  // namespace
 
-TEST_CASE("uniform directions are unit vectors of the upper hemisphere with the moments of the uniform density") {
+// The uniform density: the cosine is uniform in (0, 1], variances 1/12 and 4/45 of the cosine and its square, 1/3 of x
+// and z, 1/15 of x z. The density cos(theta) / pi: the square of the cosine is uniform, E cos = 2/3 with variance 1/2 -
+// 4/9, E x^2 = 1/4 and E (x z)^2 = 1/24.
+TEST_CASE("random directions are unit vectors of the upper hemisphere with the moments of their density") {
     constexpr std::size_t n = 200000;
-    Random random(1, 0);
-    double cosine = 0, cosine_squared = 0, x = 0, z = 0, xz = 0;
-    for (const Vec3& d : uniform_directions(n, random)) {
-        REQUIRE(std::fabs(length(d) - 1) < 1e-15);
-        REQUIRE(d.y > 0);
-        cosine += d.y / n;
-        cosine_squared += d.y * d.y / n;
-        x += d.x / n;
-        z += d.z / n;
-        xz += d.x * d.z / n;
+    for (const bool cosine : {false, true}) {
+        Random random(1, 0);
+        double sums[5] = {};
+        for (const Vec3& d : cosine ? cosine_directions(n, random) : uniform_directions(n, random)) {
+            REQUIRE(std::fabs(length(d) - 1) < 1e-15);
+            REQUIRE(d.y > 0);
+            const double moments[] = {d.y, d.y * d.y, d.x, d.z, d.x * d.z};
+            for (std::size_t i = 0; i < 5; ++i) sums[i] += moments[i] / n;
+        }
+        const double means[2][5] = {{1.0 / 2, 1.0 / 3}, {2.0 / 3, 1.0 / 2}};
+        const double variances[2][5] = {{1.0 / 12, 4.0 / 45, 1.0 / 3, 1.0 / 3, 1.0 / 15},
+                                        {1.0 / 18, 1.0 / 12, 1.0 / 4, 1.0 / 4, 1.0 / 24}};
+        CAPTURE(cosine);
+        for (std::size_t i = 0; i < 5; ++i)
+            CHECK(std::fabs(sums[i] - means[cosine][i]) < 5 * std::sqrt(variances[cosine][i] / n));  // standard errors
     }
-    // 5 standard errors. The cosine is uniform in (0, 1]: variances 1/12 and 4/45. By symmetry x and z have variance
-    // 1/3, and E (xz)^2 = 1/15.
-    CHECK(std::fabs(cosine - 1.0 / 2) < 5 * std::sqrt(1.0 / 12 / n));
-    CHECK(std::fabs(cosine_squared - 1.0 / 3) < 5 * std::sqrt(4.0 / 45 / n));
-    CHECK(std::fabs(x) < 5 * std::sqrt(1.0 / 3 / n));
-    CHECK(std::fabs(z) < 5 * std::sqrt(1.0 / 3 / n));
-    CHECK(std::fabs(xz) < 5 * std::sqrt(1.0 / 15 / n));
 }
 
-TEST_CASE("Fibonacci directions have equidistant elevation cosines and keep apart") {
+TEST_CASE("Fibonacci directions have equidistant elevation cosines, or their squares, and keep apart") {
     constexpr std::size_t n = 100;
-    const std::vector<Vec3> directions = fibonacci_directions(n);
+    const std::vector<Vec3> directions = fibonacci_directions(n), by_cosine = cosine_fibonacci_directions(n);
     double nearest = 2;
     for (std::size_t i = 0; i < n; ++i) {
-        CHECK(std::fabs(length(directions[i]) - 1) < 1e-15);
-        CHECK(directions[i].y == 1 - (static_cast<double>(i) + 0.5) / n);
+        const double u = 1 - (static_cast<double>(i) + 0.5) / n;
+        CHECK(directions[i].y == u);
+        CHECK(std::fabs(by_cosine[i].y * by_cosine[i].y - u) < 2e-16);
+        for (const Vec3& d : {directions[i], by_cosine[i]}) CHECK(std::fabs(length(d) - 1) < 1e-15);
         for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, length(directions[i] - directions[j]));
     }
     // A square cell of the mean solid angle 2 pi / n has side sqrt(2 pi / n): a well-spread set keeps most of it.
-    CHECK(nearest > 0.7 * std::sqrt(2 * portable::pi / n));
-}
-
-TEST_CASE("cosine-distributed directions have the moments of the density cos(theta) / pi") {
-    constexpr std::size_t n = 200000;
-    Random random(1, 1);
-    double cosine = 0, cosine_squared = 0, x = 0;
-    for (const Vec3& d : cosine_directions(n, random)) {
-        REQUIRE(std::fabs(length(d) - 1) < 1e-15);
-        REQUIRE(d.y > 0);
-        cosine += d.y / n;
-        cosine_squared += d.y * d.y / n;
-        x += d.x / n;
-    }
-    // cos^2 is uniform: E cos = 2/3 with variance 1/2 - 4/9, E cos^2 = 1/2 with variance 1/12, E x^2 = 1/4. 5 standard
-    // errors.
-    CHECK(std::fabs(cosine - 2.0 / 3) < 5 * std::sqrt(1.0 / 18 / n));
-    CHECK(std::fabs(cosine_squared - 1.0 / 2) < 5 * std::sqrt(1.0 / 12 / n));
-    CHECK(std::fabs(x) < 5 * std::sqrt(1.0 / 4 / n));
-}
-
-TEST_CASE("the cosine-distributed Fibonacci set has equidistant squared elevation cosines") {
-    const std::vector<Vec3> directions = cosine_fibonacci_directions(100);
-    for (std::size_t i = 0; i < 100; ++i) {
-        CHECK(std::fabs(directions[i].y * directions[i].y - (1 - (static_cast<double>(i) + 0.5) / 100)) < 2e-16);
-        CHECK(std::fabs(length(directions[i]) - 1) < 1e-15);
-    }
+    CHECK(nearest > 0.7 * std::sqrt(2 * pi / n));
 }
 
 TEST_CASE("rotation about y keeps elevation, length and the angles between directions") {
@@ -88,9 +63,7 @@ TEST_CASE("rotation about y keeps elevation, length and the angles between direc
 }
 
 TEST_CASE("a frame is orthonormal and right-handed around every normal, the axes and their neighbours included") {
-    Random random(3, 0);
-    std::vector<Vec3> normals = uniform_directions(2000, random);
-    for (std::size_t i = 0; i < 1000; ++i) normals[i] = -1 * normals[i];
+    std::vector<Vec3> normals = random_normals(2000);
     for (double sign : {1.0, -1.0})
         for (double tilt : {0.0, 1e-9, -1e-9, 1e-300})
             for (Vec3 axis : {Vec3{sign, tilt, 0}, Vec3{0, sign, tilt}, Vec3{tilt, 0, sign}, Vec3{0, tilt, sign}})

@@ -1,10 +1,7 @@
 #include "experiments/integrands.h"
 #include "experiments/models.h"
-#include "scene/desert.h"
 
 #include "test.h"
-
-#include <cmath>
 
 TEST_CASE("the integrands' truths agree with a dense quadrature") {
     // 2e5 Fibonacci points; the edges of the environment and of shadows leave an error of about n^(-3/4), 1e-4.
@@ -16,7 +13,7 @@ TEST_CASE("the integrands' truths agree with a dense quadrature") {
     for (const Integrand& integrand : integrands) {
         double sum = 0;
         for (const Vec3& direction : directions) sum += integrand.value(direction);
-        CHECK(std::fabs(2 * portable::pi / 2e5 * sum / integrand.truth - 1) < 3e-4);
+        CHECK(std::fabs(2 * pi / 2e5 * sum / integrand.truth - 1) < 3e-4);
     }
 }
 

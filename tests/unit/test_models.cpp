@@ -1,9 +1,6 @@
 #include "experiments/models.h"
-#include "scene/desert.h"
 
 #include "test.h"
-
-#include <cmath>
 
 namespace {
 
@@ -36,20 +33,4 @@ TEST_CASE("the rough covariance wins on radiance, and most but not all sets of s
     CHECK(choice.smooth > 0.02);
     CHECK(choice.smooth < 0.5);
     CHECK(choice.pooled_rmse == models[0].rmse());
-}
-
-TEST_CASE("85 to 99.9 percent of the errors on the desert's radiance lie within two predicted standard errors") {
-    const std::vector<Integrand> integrands = radiance();
-    for (const std::size_t n : {std::size_t{20}, std::size_t{40}, std::size_t{80}}) {
-        const double coverage = examine(rough, 0.01, integrands, n, 100).coverage();
-        CHECK(coverage >= 0.85);
-        CHECK(coverage <= 0.999);
-    }
-}
-
-TEST_CASE("the RMSE of Monte Carlo is what its variance says") {
-    // cos(theta) has variance 1/12 under the uniform density; 400 sets leave a relative standard error of 1 /
-    // sqrt(800).
-    const double expected = 2 * portable::pi * std::sqrt(1.0 / 12 / 40);
-    CHECK(std::fabs(monte_carlo_rmse({practice_integrands()[1]}, 40, 400) / expected - 1) < 5 / std::sqrt(800.0));
 }

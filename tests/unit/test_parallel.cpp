@@ -3,8 +3,6 @@
 #include "test.h"
 
 #include <atomic>
-#include <stdexcept>
-#include <vector>
 
 TEST_CASE("every row is computed once, whatever the number of threads, and progress ends at 1") {
     for (const unsigned threads : {1u, 3u, 300u}) {

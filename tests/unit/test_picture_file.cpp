@@ -2,24 +2,12 @@
 
 #include "test.h"
 
-#include <cmath>
-#include <sstream>
-#include <stdexcept>
-
 namespace {
 
-PictureFile read(const std::string& bytes) {
-    std::istringstream in(bytes);
-    return read_picture(in);
-}
+PictureFile read(const std::string& content) { return read_by(read_picture, content); }
 
-std::string reading_error(const std::string& bytes) {
-    try {
-        read(bytes);
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "";
+std::string reading_error(const std::string& content) {
+    return message_of([&] { read(content); });
 }
 
 // A text that may hold zeros.
@@ -29,10 +17,7 @@ std::string bytes(const char (&text)[size]) {
 }
 
 Image example() {
-    Image image(3, 2);
-    for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 3; ++x) image.set(x, y, {0.1 * x, 0.3 * y + 0.01 * x, 1.0 - 0.2 * x});
-    return image;
+    return image_of(3, 2, [](int x, int y) { return Color{0.1 * x, 0.3 * y + 0.01 * x, 1.0 - 0.2 * x}; });
 }
 
 bool equal(const Image& a, const Image& b) { return to_pfm(a) == to_pfm(b); }

@@ -2,20 +2,7 @@
 
 #include "test.h"
 
-#include <algorithm>
-
-using portable::pi;
-
 namespace {
-
-const EnvironmentMap white(1, 1, {1, 1, 1});
-
-// The top of the sphere sees all of the sky; a point of the rectangle right of the sphere sees a part of it.
-const Hit top{Object::sphere, {0, 2, -5}, {0, 1, 0}, {0.8, 0.8, 0.4}};
-const Hit beside{Object::rectangle, {1.5, -2, -4}, {0, 1, 0}, {0.2, 0.8, 0.2}};
-const Frame upright({0, 1, 0});
-
-double relative(double a, double b) { return std::fabs(a / b - 1); }
 
 constexpr double rounding = 1e-5;  // directions have single precision, and Q a condition of some thousands
 

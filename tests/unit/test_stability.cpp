@@ -1,13 +1,6 @@
 #include "experiments/stability.h"
 
-#include "quadrature/gaussian_process.h"
-
 #include "test.h"
-
-#include <cfloat>
-#include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace {
 
@@ -59,29 +52,6 @@ TEST_CASE("where the factor passes by luck, no digit holds") {
     CHECK(!(row.weight_error < 0.1));
 }
 
-TEST_CASE("residual ratios stay below 5 at extremes, LAPACK's limit being 30") {
-    constexpr std::size_t n = 100;
-    for (const SampleSet set : {SampleSet::random, SampleSet::equator, SampleSet::pole, SampleSet::cluster})
-        for (const Model& model : {rough, smooth})
-            for (const double noise : {1.0, 1e-4, 1e-6}) {
-                const Matrix q = symmetric(covariance_matrix(*model.covariance, noise, sample_set(set, n)));
-                const Cholesky cholesky(q);
-                const Matrix &u = cholesky.upper(), inverse = cholesky.inverse();
-                Matrix of_factor = q, of_inverse(n, n);
-                for (std::size_t i = 0; i < n; ++i)
-                    for (std::size_t j = 0; j < n; ++j) {
-                        of_inverse(i, j) = i == j;
-                        for (std::size_t k = 0; k < n; ++k) {
-                            of_factor(i, j) -= u(k, i) * u(k, j);
-                            of_inverse(i, j) -= q(i, k) * inverse(k, j);
-                        }
-                    }
-                const double unit = n * DBL_EPSILON * row_sum_norm(q);
-                CHECK(row_sum_norm(of_factor) < 5 * unit);
-                CHECK(row_sum_norm(of_inverse) < 5 * unit * row_sum_norm(inverse));
-            }
-}
-
 TEST_CASE("weights by the inverse lose digits that weights by the factor keep, but for one sample") {
     const StabilityRow one = examine_stability(SampleSet::random, 1, rough, 1e-2);
     CHECK(one.weight_error < 1e-15);
@@ -93,12 +63,8 @@ TEST_CASE("weights by the inverse lose digits that weights by the factor keep, b
 
 TEST_CASE("what is singular in double precision is refused, naming the pivot, and works with noise") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
-        try {
-            Cholesky(covariance_matrix(Sobolev(), 0, sample_set(set, 100)));
-            FAIL("accepted");
-        } catch (const NotPositiveDefinite& error) {
-            CHECK(error.index == 1);
-        }
+        CHECK(
+            contains(message_of([&] { Cholesky(covariance_matrix(Sobolev(), 0, sample_set(set, 100))); }), "pivot 1 "));
         CHECK(examine(set, rough, 0).refused);
         CHECK(!examine(set, rough, 1e-2).refused);
     }
@@ -113,21 +79,8 @@ TEST_CASE("a long length-scale makes Bayesian Monte Carlo classic: w = 2 pi / (N
         const GaussianProcess process(SquaredExponential(1e6), noise, sample_set(SampleSet::random, 40));
         // k differs from 1 by r^2 / 2 l^2 < 2e-12, which the condition number N / noise^2 < 4001 amplifies.
         for (const double weight : process.weights())
-            CHECK(std::fabs(weight / (2 * portable::pi / (40 + noise * noise)) - 1) < 1e-8);
+            CHECK(std::fabs(weight / (2 * pi / (40 + noise * noise)) - 1) < 1e-8);
     }
-}
-
-TEST_CASE("much noise makes the weights vanish, as z / noise^2") {
-    const GaussianProcess process(Sobolev(), 1e3, sample_set(SampleSet::random, 40));
-    // The next term of the series in 1 / noise^2 is smaller by |Q| / noise^2 < 110e-6.
-    for (std::size_t i = 0; i < 40; ++i) CHECK(std::fabs(process.weights()[i] / (process.z()[i] * 1e-6) - 1) < 1.1e-4);
-}
-
-TEST_CASE("samples that do not see one another have the weight z / (1 + noise^2)") {
-    // Four directions 1 apart at l = 0.05: k = e^-200.
-    const std::vector<Vec3> directions{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}};
-    const GaussianProcess process(SquaredExponential(0.05), 0.1, directions);
-    for (std::size_t i = 0; i < 4; ++i) CHECK(std::fabs(process.weights()[i] / (process.z()[i] / 1.01) - 1) < 1e-15);
 }
 
 TEST_CASE("duplicates share one weight") {

@@ -2,8 +2,6 @@
 
 #include "test.h"
 
-#include <cmath>
-
 TEST_CASE("what an integral costs: a rule pays off when Monte Carlo at equal error is slower") {
     IntegralCost row{100, 0.4, 0.1, 0, {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 1e-6}};
     CHECK(std::fabs(row.equivalent_mc_samples() - 1600) < 1e-9);
@@ -16,7 +14,7 @@ TEST_CASE("the error of Monte Carlo is that of its variance, which Bayesian Mont
     const std::vector<IntegralCost> rows = integral_costs(practice_integrands()[1], 1, true);
     for (const IntegralCost& row : rows) {
         // cos(theta) has variance 1/12 under the uniform density; the dense quadrature errs by 1e-10.
-        const double expected = 2 * portable::pi * std::sqrt(1.0 / 12 / static_cast<double>(row.samples));
+        const double expected = 2 * pi * std::sqrt(1.0 / 12 / static_cast<double>(row.samples));
         CHECK(std::fabs(row.mc_error / expected - 1) < 1e-9);
         CHECK(row.bmc_error < row.mc_error);
         CHECK(row.bmc_error_uncertainty < 0.2 * row.bmc_error);

@@ -1,6 +1,7 @@
-// libFuzzer: any bytes are a picture or an error of one line, and rows of numbers or an error of one line.
+// libFuzzer: any bytes are a picture, a map of radiances or rows of numbers, or an error of one line.
 #include "../course/judge/picture_file.h"
 #include "experiments/rule.h"
+#include "scene/radiance_hdr.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -30,6 +31,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         const PictureFile picture = read_picture(in);
         const Color corner = picture.image(picture.image.width() - 1, picture.image.height() - 1);
         return picture.maxval == 0 ? corner.x - corner.x == 0 : corner.x >= 0 && corner.x <= 1;
+    });
+    check(text, [](std::istream& in) {
+        const Color corner = read_radiance_hdr(in).radiance({0, -1, 0});
+        return corner.x >= 0 && corner.y >= 0 && corner.z >= 0;
     });
     check(text, [](std::istream& in) {
         const Samples samples = read_samples(in);

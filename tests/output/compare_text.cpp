@@ -1,0 +1,210 @@
+// Texts: lines of columns between white space; a line that begins with # is a header.
+#include "compare.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// A reference may have been checked out with Windows line ends; the programs write LF everywhere.
+Words split_lines(const std::string& text, bool drop_carriage_returns) {
+    Words lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line); lines.push_back(line))
+        if (drop_carriage_returns && !line.empty() && line.back() == '\r') line.pop_back();
+    return lines;
+}
+
+Words split_columns(const std::string& line) {
+    std::istringstream in(line);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+bool is_row(const std::string& line) { return line.find_first_not_of(" \t\r") != std::string::npos && line[0] != '#'; }
+
+// A word is a number and what follows it ("0.5;"), or has no number.
+struct Word {
+    double number;
+    std::string rest;
+};
+
+Word parse_word(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    return {number, end};
+}
+
+bool words_agree(const std::string& reference, const std::string& actual, double tolerance) {
+    if (reference == actual) return true;
+    const Word a = parse_word(reference), b = parse_word(actual);
+    return a.rest == b.rest && a.rest.size() < reference.size() && agree(a.number, b.number, tolerance);
+}
+
+bool lines_agree(const std::string& reference, const std::string& actual, double tolerance) {
+    if (reference == actual || tolerance == 0) return reference == actual;
+    const Words a = split_columns(reference), b = split_columns(actual);
+    const auto same = [&](const auto& x, const auto& y) { return words_agree(x, y, tolerance); };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+// A number of both outputs, in its table.
+struct Cell {
+    std::size_t row, column;  // from 1; the row in the whole output
+    double reference, actual;
+    bool agrees;
+};
+
+// Rows under one another, with as many columns each.
+struct Table {
+    Words header;  // the words of the line above
+    std::size_t columns = 0, rows = 0;
+    std::vector<Cell> cells;
+
+    bool names_columns() const { return header.size() == columns; }
+    std::string column_name(std::size_t column) const {
+        return "column " + std::to_string(column) + (names_columns() ? " (" + header[column - 1] + ")" : "");
+    }
+    bool is_matrix() const { return rows == columns && rows > 1 && !names_columns(); }
+    std::string matrix_name() const { return header.empty() ? "the matrix" : header[0].substr(0, header[0].find(',')); }
+    bool differs() const {
+        return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) { return !cell.agrees; });
+    }
+};
+
+// Of two outputs with as many lines.
+std::vector<Table> parse_tables(const Words& reference, const Words& actual, double tolerance) {
+    std::vector<Table> tables;
+    Words header;
+    std::size_t row = 0;
+    bool within = false;
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        if (!is_row(reference[i])) {
+            within = false;
+            if (!reference[i].empty()) header = split_columns(reference[i].substr(1));
+            continue;
+        }
+        ++row;
+        const Words a = split_columns(reference[i]), b = split_columns(actual[i]);
+        if (!within || tables.back().columns != a.size()) tables.push_back({header, a.size(), 0, {}});
+        within = true;
+        ++tables.back().rows;
+        for (std::size_t j = 0; j < std::min(a.size(), b.size()); ++j)
+            tables.back().cells.push_back(
+                {row, j + 1, parse_word(a[j]).number, parse_word(b[j]).number, words_agree(a[j], b[j], tolerance)});
+    }
+    return tables;
+}
+
+// The one number that these are of their references; 0 if there is none.
+double common_ratio(const std::vector<Cell>& cells) {
+    double ratio = 0;
+    for (const Cell& cell : cells) {
+        if (cell.reference == 0 && cell.actual == 0) continue;
+        if (cell.reference == 0 || !std::isfinite(cell.actual)) return 0;
+        const double here = cell.actual / cell.reference;
+        if (ratio == 0) ratio = here;
+        if (!(std::fabs(here - ratio) <= std::min(2e-3 * std::fabs(ratio), 0.1 * std::fabs(ratio - 1)))) return 0;
+    }
+    return ratio;
+}
+
+std::string describe_ratio(const std::string& name, double ratio) {
+    return "all of " + name + " is " + in_words(ratio, 4) + " times the reference" + reason(ratio);
+}
+
+// What the differences in one column have in common; nothing if they have nothing.
+std::string describe_column(const std::string& name, const std::vector<Cell>& cells) {
+    const auto all = [&](auto property) { return std::all_of(cells.begin(), cells.end(), property); };
+    if (all([](const Cell& cell) { return cell.actual == 0; })) return "all of " + name + " is 0";
+    const double ratio = common_ratio(cells);
+    if (cells.size() > 1 && ratio != 0) return describe_ratio(name, ratio);
+    const auto negatives = std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.actual < 0; });
+    if (negatives > 0 && all([](const Cell& cell) { return cell.reference >= 0; }))
+        return std::to_string(negatives) + " of the " + std::to_string(cells.size()) + " numbers in " + name +
+               " are negative, none of the reference's";
+    return "";
+}
+
+std::string describe_columns(const Table& table) {
+    std::string text, others;
+    for (std::size_t column = 1; column <= table.columns; ++column) {
+        std::vector<Cell> cells;
+        for (const Cell& cell : table.cells)
+            if (cell.column == column) cells.push_back(cell);
+        if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.agrees; })) continue;
+        const std::string clause = describe_column(table.column_name(column), cells);
+        add(text, clause);
+        if (clause.empty()) others += (others.empty() ? "" : ", ") + table.column_name(column);
+    }
+    if (!others.empty()) add(text, "differences in " + others);
+    return text;
+}
+
+// In a square table, such as a matrix, the place that holds all differences.
+std::string describe_matrix(const Table& table) {
+    bool one_row = true;
+    std::size_t row = 0, differing = 0, on_diagonal = 0;
+    for (const Cell& cell : table.cells) {
+        if (cell.agrees) continue;
+        const std::size_t here = cell.row - table.cells[0].row + 1;
+        row = row == 0 ? here : row;
+        one_row = one_row && here == row;
+        if (here == cell.column) ++on_diagonal;
+        ++differing;
+    }
+    const std::string name = table.matrix_name();
+    const double ratio = common_ratio(table.cells);
+    if (ratio != 0) return describe_ratio(name, ratio);
+    if (on_diagonal == differing) return "only the diagonal of " + name + " differs";
+    if (on_diagonal == 0 && differing + table.rows == table.cells.size())
+        return "all of " + name + " but the diagonal differs";
+    if (one_row) return "only row " + std::to_string(row) + " of " + name + " differs";
+    return count_of(differing, table.cells.size(), ("numbers of " + name).c_str());
+}
+
+// Where the first difference is: line `at` of both outputs.
+std::string describe_place(const Words& reference, const Words& actual, std::size_t at, double tolerance) {
+    const auto line_of = [&](const Words& lines) { return at < lines.size() ? lines[at] : "nothing"; };
+    const std::string expected = line_of(reference), found = line_of(actual);
+    const Words a = split_columns(expected), b = split_columns(found);
+    const bool row = is_row(expected) && at < reference.size(), named = row && parse_word(a[0]).rest == a[0];
+    const std::string line = "line " + std::to_string(at + 1) + (named ? ", " + a[0] : "");
+    if (a == b) return line + ", reference: " + expected + ": only white space differs";
+    if (!row || a.size() != b.size()) return line + ", reference: " + expected + ", here: " + found;
+    std::size_t i = 0;
+    while (words_agree(a[i], b[i], tolerance)) ++i;
+    const auto rows = std::count_if(reference.data(), reference.data() + at + 1, is_row);
+    return "row " + std::to_string(rows) + " (" + line + "), column " + std::to_string(i + 1) + ": reference " + a[i] +
+           ", here " + b[i];
+}
+
+}  // namespace
+
+std::string text_difference(const std::string& reference, const std::string& actual, double tolerance) {
+    const Words expected = split_lines(reference, true), found = split_lines(actual, false);
+    const std::size_t lines = std::max(expected.size(), found.size()), common = std::min(expected.size(), found.size());
+    std::size_t first = lines, differing = lines - common;
+    for (std::size_t i = lines; i-- > 0;)
+        if (i >= common || !lines_agree(expected[i], found[i], tolerance)) {
+            first = i;
+            if (i < common) ++differing;
+        }
+    const bool ends_alike = reference.empty() || actual.empty() || reference.back() == actual.back();
+    if (differing == 0) return ends_alike || tolerance > 0 ? "" : "only the line end after the last line differs";
+    std::string text = describe_place(expected, found, first, tolerance);
+    if (expected.size() != found.size())
+        return bmc::formatted("%s; the reference has %zu lines, here are %zu", text.c_str(), expected.size(),
+                              found.size());
+    for (const Table& table : parse_tables(expected, found, tolerance))
+        if (table.differs()) {
+            add(text, table.is_matrix() ? describe_matrix(table) : describe_columns(table));
+            break;
+        }
+    add(text, count_of(differing, lines, "lines"));
+    return text;
+}
