@@ -1,6 +1,7 @@
 #include "predicted_picture.h"
 
 #include "known_light/known_light_error.h"
+#include "scene/object_pixels.h"
 
 #include <cstdio>
 

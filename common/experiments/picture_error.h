@@ -2,6 +2,7 @@
 #pragma once
 
 #include "picture.h"
+#include "scene/object_pixels.h"
 
 #include <vector>
 

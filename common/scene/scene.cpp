@@ -42,10 +42,4 @@ std::optional<Hit> intersect(const Scene& scene, const Ray& ray) {
     const Vec3 point = ray.origin + *to_rectangle * ray.direction;
     return Hit{Object::rectangle, point, {0, ray.direction.y < 0 ? 1.0 : -1.0, 0}, scene.rectangle.albedo};
 }
-
-double object_pixels(const Scene& scene, const Camera& camera) {
-    double count = 0;
-    for_each_hit(scene, camera, [&](int, int, const Hit&) { ++count; });
-    return count;
-}
 }  // namespace bmc

@@ -53,17 +53,6 @@ struct Hit {
 // The first object that the ray meets.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 
-// Calls f(x, y, hit) for every pixel that shows an object, row after row.
-template <class Function>
-void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
-    for (int y = 0; y < camera.height; ++y)
-        for (int x = 0; x < camera.width; ++x)
-            if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
-}
-
-// The number of pixels that show an object.
-double object_pixels(const Scene& scene, const Camera& camera);
-
 // Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it. It
 // is computed in the direction's precision and without a branch, so that a loop can try many directions side by side.
 // A sphere shadows if its centre lies ahead and |o|^2 - (o.d)^2 < radius^2, where o is the offset to the centre.

@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "likely_mistakes.h"
 #include "picture_file.h"
+#include "prediction/predicted_error.h"
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr const char* wrong_integrands[] = {"cos(theta) twice", "cos(theta) is missing", "no shadows",
                                             "the albedo is missing"};
-
-double ratio_of(double wrong, double right) { return right > 0 ? wrong / right : 1; }
 
 // What a point reflects by each of the wrong integrands, over what it should reflect, by the same directions.
 std::array<Color, 4> wrong_ratios(const Hit& hit, const EnvironmentMap& environment,
@@ -31,7 +30,8 @@ std::array<Color, 4> wrong_ratios(const Hit& hit, const EnvironmentMap& environm
         wrong[2] += local.y * light;
     }
     wrong[3] = {right.x / hit.albedo.x, right.y / hit.albedo.y, right.z / hit.albedo.z};
-    for (Color& each : wrong) each = {ratio_of(each.x, right.x), ratio_of(each.y, right.y), ratio_of(each.z, right.z)};
+    for (Color& each : wrong)
+        for (const auto channel : channels) each.*channel = right.*channel > 0 ? each.*channel / (right.*channel) : 1;
     return wrong;
 }
 
@@ -70,16 +70,12 @@ void explain_whole(const Image& picture, const Truth& truth, int maxval, const C
 
 void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
                      const Consider& consider) {
-    const Camera camera{picture.width(), picture.height()};
     const std::vector<Vec3> directions = fibonacci_directions(300);
     std::vector<Truth> wrong(std::size(wrong_integrands), truth);
-    for (int y = 0; y < camera.height; ++y)
-        for (int x = 0; x < camera.width; ++x) {
-            const auto hit = intersect(sphere_scene(), camera.ray(x, y));
-            if (!hit) continue;
-            const auto ratios = wrong_ratios(*hit, environment, directions, 0.618 * (y * camera.width + x));
-            for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i].image.set(x, y, ratios[i] * truth.image(x, y));
-        }
+    for_each_hit(sphere_scene(), {picture.width(), picture.height()}, [&](int x, int y, const Hit& hit) {
+        const auto ratios = wrong_ratios(hit, environment, directions, 0.618 * (y * picture.width() + x));
+        for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i].image.set(x, y, ratios[i] * truth.image(x, y));
+    });
     for (std::size_t i = 0; i < wrong.size(); ++i) consider({wrong_integrands[i], picture, wrong[i]});
     const double n = static_cast<double>(samples);
     std::vector<Factor> all{{"nothing is added up", 0}, {"not divided by N", n}, {"divided by N twice", 1 / n}};

@@ -6,6 +6,7 @@
 
 #include "experiments/statistics.h"
 #include "numerics/cholesky.h"
+#include "prediction/predicted_error.h"
 
 namespace bmc {
 namespace {
@@ -70,20 +71,15 @@ double joint_deviation(const Fingerprint& measured, const std::vector<Fingerprin
 
 // The mean error of each colour on the sphere and on the rectangle, over its mean light.
 std::vector<double> part_errors(const Image& picture, const Truth& truth) {
-    const Scene scene = sphere_scene();
-    const Camera camera{picture.width(), picture.height()};
     Color errors[2], light[2];
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) {
-            const auto hit = intersect(scene, camera.ray(x, y));
-            if (!hit) continue;
-            const std::size_t part = hit->object == Object::sphere ? 0 : 1;
-            errors[part] += picture(x, y) - truth.image(x, y);
-            light[part] += truth.image(x, y);
-        }
+    for_each_hit(sphere_scene(), {picture.width(), picture.height()}, [&](int x, int y, const Hit& hit) {
+        const std::size_t part = hit.object == Object::sphere ? 0 : 1;
+        errors[part] += picture(x, y) - truth.image(x, y);
+        light[part] += truth.image(x, y);
+    });
     std::vector<double> relative;
     for (std::size_t part = 0; part < 2; ++part)
-        for (const auto channel : {&Color::x, &Color::y, &Color::z})
+        for (const auto channel : channels)
             relative.push_back(errors[part].*channel / std::max(light[part].*channel, 1e-12));
     return relative;
 }

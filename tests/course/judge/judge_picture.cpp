@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "command_line.h"
+#include "prediction/predicted_error.h"
 
 namespace bmc {
 namespace {
@@ -35,7 +36,7 @@ Background background_of(const Image& picture, const Truth& truth, int maxval) {
         const Color measured = picture[i], right = truth.image[i];
         const double largest = std::max({right.x, right.y, right.z, 1e-6});
         bool differs = false;
-        for (const auto channel : {&Color::x, &Color::y, &Color::z}) {
+        for (const auto channel : channels) {
             const double a = measured.*channel, b = right.*channel;
             const double missing = maxval > 0 ? maxval * (srgb_encoded(b) - srgb_encoded(a)) : 128 * (b - a) / largest;
             differs = differs || !(std::fabs(missing) <= 1.5);
