@@ -208,4 +208,5 @@ TEST_CASE("cholesky rejects an indefinite matrix and names the pivot") {
 TEST_CASE("cholesky rejects shapes that do not fit") {
     CHECK_THROWS_AS(Cholesky(Matrix(2, 3)), std::invalid_argument);
     CHECK_THROWS_AS(Cholesky(random_spd(3, 1)).solve({1, 2}), std::invalid_argument);
+    CHECK_THROWS_AS(Cholesky(random_spd(3, 1)).solve({1, 2, 3, 4}), std::invalid_argument);
 }

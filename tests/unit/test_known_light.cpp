@@ -153,10 +153,28 @@ TEST_CASE("sun and sky are the whole light; a light without a sun has the sky's 
         const bool has_sun = light == &bright_desert;
         CHECK(prefiltered.sun().empty() == !has_sun);
         CHECK(prefiltered.sun().share() == doctest::Approx(has_sun ? 0.83 : 0).epsilon(0.02));
-        // Half of 0.83 of the samples, to the nearest number.
-        for (const auto& [samples, of_sun] : {std::pair(1u, 1u), {4u, 2u}, {10u, 4u}})
+        // Half of 0.83 of the samples, to the nearest number; the sky has the others, but one at least.
+        for (const auto& [samples, of_sun] : {std::pair(1u, 1u), {4u, 2u}, {10u, 4u}}) {
             CHECK(sun_samples(prefiltered, samples) == (has_sun ? of_sun : 0));
+            CHECK(sky_settings(known_light(Method::mc, samples), prefiltered).samples ==
+                  (has_sun ? std::max(samples - of_sun, 1u) : samples));
+        }
     }
+}
+
+TEST_CASE("the sun does not shine from below the horizon") {
+    // The normal is perpendicular to the middle of the sun; the rectangle above hides what is below the horizon.
+    const Scene scene{{{0, -9, 0}, 1, {}}, {1, 5.0 / 3, 100, -100, 100, {}}};
+    const Hit hit{Object::sphere, {0, 0, 0}, normalize({-0.48, 0.8, 0}), {1, 1, 1}};
+    const VisibleSun sun = visible_sun(scene, bright_desert.prefiltered, hit, 64, Random(1, 0));
+    CHECK(sun.fraction.x == 1);
+    CHECK(sun.changes == 0);
+}
+
+TEST_CASE("a direction of a known light sees caps of its own solid angle") {
+    const QuadratureRule rule = monte_carlo_rule({Placement::uniform, fibonacci_directions(40)});
+    const KnownLightRule known = known_light_rule(rule, even_light.prefiltered);
+    for (const float* light : known.caps.rgb) CHECK(light == even_light.prefiltered.table(2 * pi / 40).rgb);
 }
 
 TEST_CASE("no weight of a rule for the known light is negative") {

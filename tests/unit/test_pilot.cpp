@@ -62,6 +62,39 @@ TEST_CASE("a pilot of a small picture is the whole, of a large one every k-th pi
     CHECK(std::fabs(pilot / large - 1) < 0.05);
 }
 
+TEST_CASE("a pilot takes every k-th pixel of every k-th row, from the middle of the first k") {
+    const RenderSettings settings = [] {
+        RenderSettings wide = small(Method::mc, 2, 96);
+        wide.width = 200;
+        return wide;
+    }();
+    std::vector<Vec3> points, expected;
+    run_pilot(scene, settings, [&](const Hit& hit, Random&) {
+        points.push_back(hit.point);
+        return PixelError{{}, {}, 2};
+    });
+    for (int y = 1; y < 96; y += 3)
+        for (int x = 3; x < 200; x += 6)
+            if (const auto hit = intersect(scene, Camera{200, 96}.ray(x, y))) expected.push_back(hit->point);
+    CHECK(points.size() == expected.size());
+    for (std::size_t i = 0; i < points.size(); ++i) CHECK(squared_distance(points[i], expected[i]) == 0);
+}
+
+TEST_CASE("pilots have at most eight rules that pixels share, and at most the most samples") {
+    std::vector<RenderSettings> tried;
+    const auto none = [&](const RenderSettings& settings) {
+        tried.push_back(settings);
+        return [](const Hit&, Random&) { return PixelError{{1, 1, 1}, {1, 1, 1}, 2}; };
+    };
+    for (const Method method : {Method::direct, Method::pool})
+        CHECK_THROWS_AS(samples_for(0.1, 2, 100, scene, small(method, 1, 20), none), std::runtime_error);
+    for (const RenderSettings& settings : tried) {
+        CHECK(settings.method == Method::pool);
+        CHECK(settings.pool == 8);
+        CHECK(settings.samples <= 100);
+    }
+}
+
 TEST_CASE("errors are 0 where no object is") {
     const Image errors = errors_of(small(Method::pool, 10));
     const Truth truth = truth_of(errors);

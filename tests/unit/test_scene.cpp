@@ -47,6 +47,7 @@ TEST_CASE("hits lie on their object and face the ray") {
     CHECK(rectangles > 500);
     CHECK(object_pixels(scene, camera) == spheres + rectangles);
     CHECK(object_pixels(scene, {500, 500}) == 166094);
+    CHECK(object_pixels(scene, {1000, 500}) > 166094);  // more of the rectangle, beside the square
 }
 
 TEST_CASE("a sphere shadows in the directions towards it, not away from it") {
