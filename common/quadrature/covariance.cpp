@@ -1,5 +1,7 @@
 #include "quadrature/covariance.h"
 
+#include "numerics/formatted.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -82,6 +84,13 @@ void require_closed_form(bool exists) {
             "a known part goes with the covariance sobolev of smoothness 1.5 only: no other has a closed form for it");
 }
 
+// Also of nan, with which no series ends.
+void require_cosines(const std::vector<double>& cosines) {
+    for (const double each : cosines)
+        if (!(each <= 1))
+            throw std::invalid_argument(formatted("an elevation cosine must be at most 1; it is %.17g", each));
+}
+
 }  // namespace
 
 Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
@@ -107,6 +116,7 @@ void Sobolev::replace_by_covariances(double* squared_chords, std::size_t count) 
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
 void Sobolev::replace_by_z(std::vector<double>& cos_thetas, KnownPart known) const {
+    require_cosines(cos_thetas);
     if (known == KnownPart::cosine) {
         require_closed_form(has_closed_form());
         for (double& element : cos_thetas) element = cosine_integral(element);
@@ -160,6 +170,7 @@ void SquaredExponential::replace_by_covariances(double* squared_chords, std::siz
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
 void SquaredExponential::replace_by_z(std::vector<double>& cos_thetas, KnownPart known) const {
     require_closed_form(known == KnownPart::nothing);
+    require_cosines(cos_thetas);
     for (double& element : cos_thetas) {
         const double squared_sine = (1 - element) * (1 + element);
         double t = kappa_ / 2 * portable::exp(-kappa_), b = element, edge = element, sum = t * b;

@@ -36,7 +36,7 @@ struct Frame {
     explicit Frame(Vec3 unit_normal);
 
     // The frame whose to_world(v) is this frame's to_world(rotate_around_y(v, turns)).
-    Frame rotated(double turns) const;
+    [[nodiscard]] Frame rotated(double turns) const;
 
     Vec3 to_world(Vec3 local) const { return local.x * tangent + local.y * normal + local.z * bitangent; }
     Direction to_world(Direction local) const {

@@ -62,5 +62,7 @@ TEST_CASE("parameters outside their domain are refused with their value") {
     for (double s : {1.0, 2.0, 0.0, -1.5, nan_value, infinity}) CHECK_THROWS_AS(Sobolev{s}, std::invalid_argument);
     for (double l : {0.0499, 0.0, -1.0, nan_value, infinity})
         CHECK_THROWS_AS(SquaredExponential{l}, std::invalid_argument);
+    CHECK_THROWS_WITH(Sobolev().z(1.25), "an elevation cosine must be at most 1; it is 1.25");
+    CHECK_THROWS_AS(SquaredExponential().z(nan_value), std::invalid_argument);
     CHECK_THROWS_WITH(SquaredExponential(0.01), "the length-scale must be at least 0.05; it is 0.010000");
 }
