@@ -1,13 +1,12 @@
 // alone TASK: what the functions of the task montecarlo, inverse, z or shade give by themselves, whatever becomes of
 // the others. alone_integral and alone_rules do so for the tasks that need others, on stand-ins of these.
+#include "alone.h"
+
 #include "quadrature/quadrature.h"
 #include "scene/reflection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <initializer_list>
 #include <stdexcept>
 
 using namespace bmc;
@@ -24,16 +23,23 @@ void print_matrix(const char* name, const Matrix& matrix) {
 }
 
 void montecarlo() {
-    std::printf("# n directions weights sum_of_weights least_weight largest_weight\n");
+    std::printf("# n directions weights sum_of_weights least_weight largest_weight known directions_are\n");
     for (const std::size_t n : {1u, 8u, 41u}) {
         Random random(n, 0);
-        const QuadratureRule rule = monte_carlo_rule(place_directions(Placement::uniform, n, random));
-        double sum = 0;
-        for (const double weight : rule.weights) sum += weight;
+        const DirectionSet set = place_directions(Placement::uniform, n, random);
+        const QuadratureRule rule = monte_carlo_rule(set);
         if (rule.weights.empty()) throw std::runtime_error("the rule has no weights");
+        double sum = 0, apart = 0;
+        for (const double weight : rule.weights) sum += weight;
+        for (std::size_t i = 0; i < std::min(n, rule.directions.size()); ++i)
+            apart += squared_distance(rule.directions[i], set.directions[i]);
         const auto [least, largest] = std::minmax_element(rule.weights.begin(), rule.weights.end());
-        std::printf("%zu %zu %zu %.9g %.9g %.9g\n", n, rule.directions.size(), rule.weights.size(), sum, *least,
-                    *largest);
+        std::printf("%zu %zu %zu %.9g %.9g %.9g %s %s\n", n, rule.directions.size(), rule.weights.size(), sum, *least,
+                    *largest, rule.known == KnownPart::nothing ? "nothing" : "cosine", apart > 0 ? "others" : "given");
+        explain_if(rule.directions.size() != n, "the rule has %zu directions, %zu were given", rule.directions.size(),
+                   n);
+        explain_if(apart > 0, "the rule's directions are not those that were given");
+        explain_if(rule.known != KnownPart::nothing, "the known part is the cosine; it has to be nothing");
     }
 }
 
@@ -57,6 +63,16 @@ Matrix test_matrix(std::size_t n, double lower) {
     return a;
 }
 
+Cholesky factored(const Matrix& matrix) {
+    try {
+        return Cholesky(matrix);
+    } catch (const NotPositiveDefinite& error) {
+        explain_if(true, "the factor refuses a positive definite test matrix in row %zu, whose pivot came to %.3g",
+                   error.index, error.value);
+        std::exit(1);
+    }
+}
+
 double residual(const Matrix& a, const Matrix& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.rows(); ++i)
@@ -74,19 +90,54 @@ void print_refusal(const char* name, double a, double b, double c) {
     try {
         const Cholesky cholesky(matrix);
         std::printf("%s nowhere\n", name);
+        explain_if(
+            c > 1 && b == 1,
+            "a pivot that is 0 but for rounding is not refused: root_of_pivot wants the a_kk of A, not the pivot");
+        explain_if(a < 0 || b > a, "a matrix that is not positive definite is not refused: root_of_pivot does that");
     } catch (const NotPositiveDefinite& error) {
         std::printf("%s %zu\n", name, error.index);
     }
 }
 
+void explain_covariances(const Matrix& q, const std::vector<Vec3>& directions) {
+    const Sobolev k;
+    const double r2 = squared_distance(directions[0], directions[1]);
+    explain(q(0, 0), {{k(0) + 0.3, "the diagonal of Q has the noise 0.3 itself, not its square"},
+                      {k(0), "the noise is missing on the diagonal of Q"},
+                      {k(0) + 0.6, "the diagonal of Q has twice the noise 0.3, not its square"},
+                      {k(0) + 0.18, "the squared noise is added twice on the diagonal of Q"}});
+    explain(q(0, 1),
+            {{k(r2) + 0.09, "the squared noise is added off the diagonal of Q as well"},
+             {k(std::sqrt(r2)), "k is given the chord; it takes the squared chord"},
+             {k(r2 * r2), "k is given the square of the squared chord"},
+             {0, "off its diagonal Q has zeros above the diagonal"},
+             {k(dot(directions[0], directions[1])), "k is given the scalar product; it takes the squared chord"}});
+    explain_if(std::fabs(q(0, 1) - k(r2)) > 1e-12 && near(q(0, 1), k(r2)),
+               "Q is rounded to float; it has to be double");
+}
+
 void inverse() {
     const Sobolev sobolev;
-    for (const std::size_t n : {3u, 5u}) print_matrix("Q", symmetric(covariance_matrix(sobolev, 0.3, fan(n))));
-    print_matrix("U", Cholesky(test_matrix(3, 99)).upper());
-    print_matrix("A^-1", Cholesky(test_matrix(3, 99)).inverse());
+    const std::vector<Vec3> nine = fan(9);
+    for (const std::vector<Vec3>& directions : {fan(3), fan(5), std::vector<Vec3>(nine.begin() + 6, nine.end())}) {
+        const Matrix q = covariance_matrix(sobolev, 0.3, directions);
+        if (q.rows() != directions.size() || q.columns() != directions.size())
+            throw std::runtime_error("Q needs a row and a column for each direction");
+        print_matrix("Q of directions", symmetric(q));
+        const double lost = q(0, 1) - sobolev(squared_distance(directions[0], directions[1]));
+        std::printf("# digits lost\n%.3g\n", only_rounding_is_zero(lost));
+        explain_covariances(q, directions);
+    }
+    print_matrix("Q of another covariance", symmetric(covariance_matrix(SquaredExponential(0.7), 0.1, fan(4))));
+    const Cholesky cholesky = factored(test_matrix(3, 0.1));
+    print_matrix("U", cholesky.upper());
+    explain_if(!near(cholesky.upper()(0, 1), factored(test_matrix(3, 0)).upper()(0, 1)) ||
+                   !near(cholesky.upper()(1, 2), factored(test_matrix(3, 0)).upper()(1, 2)),
+               "the factor reads the lower triangle of A, of which nothing counts");
+    print_matrix("A^-1", cholesky.inverse());
     std::printf("# n A_times_inverse-1\n");
     for (const std::size_t n : {1u, 2u, 8u, 33u, 41u, 100u})
-        std::printf("%zu %.3g\n", n, residual(symmetric(test_matrix(n, 0)), Cholesky(test_matrix(n, 99)).inverse()));
+        std::printf("%zu %.3g\n", n, residual(symmetric(test_matrix(n, 0)), factored(test_matrix(n, 0.1)).inverse()));
     std::printf("# matrix refused_in_row\n");
     print_refusal("positive", 1, 0.5, 1);
     print_refusal("negative", -1, 0, 1);
@@ -105,25 +156,19 @@ void z() {
     const std::vector<double> z = z_of(sobolev, directions);
     const std::vector<double> once_more = z_of(other, directions);
     if (z.size() != directions.size()) throw std::runtime_error("z should have a number for each direction");
-    const bool elevation = std::fabs(z[2] - z[8]) > 1e-9, azimuth = std::fabs(z[8] - z[9]) > 1e-9;
-    std::printf("# z depends on the elevation: %s; on the azimuth: %s\n", elevation ? "yes" : "no",
-                azimuth ? "yes" : "no");
+    const auto of = [&](double cosine) { return sobolev.z(std::fabs(cosine)); };
+    const Vec3 w = directions[5];
+    explain_if(near(z[4], of(w.x)) || near(z[5], of(w.z)), "z was taken of another component than y");
+    explain_if(near(z[4], of(std::sqrt(1 - w.y * w.y))), "z was taken of the sine in place of the cosine y");
+    explain_if(near(z[4], of(portable::pi / 2 - std::asin(w.y))),
+               "z was taken of the angle acos(y) in place of the cosine y");
+    explain_if(std::fabs(z[4] - z[5]) > 1e-9, "z depends on the azimuth; it must not");
+    explain_if(near(z[4], z[8]), "z does not depend on the elevation");
     std::printf("# x y z z_j\n");
-    const auto print = [](Vec3 w, double value) { std::printf("%.6f %.6f %.6f %.9g\n", w.x, w.y, w.z, value); };
+    const auto print = [](Vec3 v, double value) { std::printf("%.6f %.6f %.6f %.9g\n", v.x, v.y, v.z, value); };
     for (std::size_t i = 0; i < z.size(); ++i) print(directions[i], z[i]);
     for (std::size_t i = 0; i < once_more.size(); ++i) print(directions[i], once_more[i]);
     print(fan(100).back(), z_of(sobolev, fan(100)).back());
-}
-
-void print_light(const char* name, Color color) {
-    std::printf("%-26s %.6g %.6g %.6g\n", name, color.x, color.y, color.z);
-}
-
-// The words that belong to the number.
-const char* named(double value, std::initializer_list<std::pair<double, const char*>> names) {
-    for (const auto& [number, words] : names)
-        if (std::fabs(value - number) < 1e-3 * number + 1e-9) return words;
-    return "by another factor";
 }
 
 CosineRule rule_of(std::initializer_list<std::pair<Vec3, double>> directions) {
@@ -132,61 +177,97 @@ CosineRule rule_of(std::initializer_list<std::pair<Vec3, double>> directions) {
     return rule;
 }
 
-void shade() {
-    const Vec3 right{1, 0, 0}, up{0, 1, 0}, down{0, -1, 0};
-    const CosineRule rule = cosine_rule({{up, {0.6, 0.8, 0}, {0, 0.8, 0.6}}, {10, 10, 30}});
-    std::printf(
-        "# cos(theta) in the weights: %s\n",
-        named(rule.weights.at(1) / 10, {{0.8, "once"}, {0.64, "twice"}, {1, "missing"}, {0.6, "the sine instead"}}));
-    std::vector<float> rgb;  // brighter than a screen
-    for (int texel = 0; texel < 4; ++texel) rgb.insert(rgb.end(), {20, 40, 80});
-    const EnvironmentMap environment(2, 2, rgb);
-    const Scene scene = sphere_scene();
-    const Color albedo{0.5, 0.25, 0.75};
-    const Hit on_top{Object::sphere, scene.sphere.centre + scene.sphere.radius * up, up, albedo};
-    const Hit on_side{Object::sphere, scene.sphere.centre + scene.sphere.radius * right, right, albedo};
-    const Hit ground{Object::rectangle, {0, scene.rectangle.y, scene.sphere.centre.z}, up, albedo};
-    const Hit below{Object::rectangle, ground.point, down, albedo};
-    const CosineRule one = rule_of({{up, 10}}), two = rule_of({{up, 10}, {{0.6, 0.8, 0}, 5}});
-    const CosineRule across = rule_of({{right, 10}, {{-1, 0, 0}, 20}, {{0, 0, 1}, 30}});
-    const auto light = [&](const Hit& hit, const CosineRule& its) {
-        return reflected_light(scene, environment, hit, its, Frame(hit.normal));
-    };
-    const bool lit = light(on_top, one).x > 0, dark = light(ground, one).x == 0 && light(on_side, across).x < 1000;
-    std::printf("# shadows: %s\n", dark ? (lit ? "of the other object" : "where there is light")
-                                        : (lit ? "none" : "where there is light"));
-    std::printf("# times albedo / pi: %s\n",
-                named(light(on_top, one).y * portable::pi / 400, {{0.25, "yes"},
-                                                                  {1, "the albedo is missing"},
-                                                                  {0.25 * portable::pi, "1 / pi is missing"},
-                                                                  {portable::pi, "both are missing"},
-                                                                  {0.25 / portable::pi, "1 / pi twice"},
-                                                                  {0.0625, "the albedo twice"},
-                                                                  {0, "no light"}}));
+void print_cosine_rule() {
+    const CosineRule rule = cosine_rule({{{0, 1, 0}, {0.6, 0.8, 0}, {0, 0.8, 0.6}}, {10, 10, -30}});
     std::printf("# elevation_cosine weight\n");
     for (std::size_t i = 0; i < rule.size(); ++i)
         std::printf("%.6g %.6g\n", static_cast<double>(rule.y[i]), rule.weights[i]);
+    if (rule.size() != 3) throw std::runtime_error("the rule for a pixel has not as many directions as the rule given");
+    explain(rule.weights[1], {{6.4, "cos(theta) is in the weights twice"},
+                              {10, "cos(theta) is missing in the weights"},
+                              {6, "the sine is in the weights in place of cos(theta)"},
+                              {8 / portable::pi, "1 / pi is in the weights"}});
+    explain(rule.weights[2], {{0, "a negative weight is taken for 0"}, {24, "a negative weight has lost its sign"}});
+}
+
+// Texels that all differ, brighter than a screen.
+EnvironmentMap varied_light() {
+    EnvironmentMap light(8, 4);
+    for (int y = 0; y < 4; ++y)
+        for (int i = 0; i < 24; ++i) light.row(y)[i] = static_cast<float>(20 + 7 * ((y * 24 + i) * 5 % 97));
+    return light;
+}
+
+void shade() {
+    print_cosine_rule();
+    const Vec3 right{1, 0, 0}, up{0, 1, 0}, down{0, -1, 0}, slanted{0.48, 0.8, 0.36};
+    const EnvironmentMap environment = varied_light();
+    const Scene scene = sphere_scene();
+    const Color albedo{0.6, 0.35, 0.85};
+    const auto on_sphere = [&](Vec3 normal) {
+        return Hit{Object::sphere, scene.sphere.centre + scene.sphere.radius * normal, normal, albedo};
+    };
+    const Hit ground{Object::rectangle, {0, scene.rectangle.y, scene.sphere.centre.z}, up, albedo};
+    const Hit below{Object::rectangle, ground.point, down, albedo};
+    const CosineRule one = rule_of({{up, 10}}), leaning = rule_of({{{0.6, 0.8, 0}, 10}});
+    const CosineRule four = rule_of({{up, 10}, {{0.6, 0.8, 0}, -5}, {{0, 0.6, 0.8}, 7.5}, {{-0.64, 0.6, -0.48}, 2.25}});
+    const CosineRule across = rule_of({{right, 10}, {{-1, 0, 0}, 20}, {{0, 0, 1}, 30}});
+    const auto light = [&](const Hit& hit, const CosineRule& its, double turns = 0) {
+        return reflected_light(scene, environment, hit, its, Frame(hit.normal).rotated(turns));
+    };
+    // What one direction on top of the sphere was multiplied by, and which radiance a leaning one met.
+    const double seen = environment.radiance(up).y, factor = light(on_sphere(up), one).y * portable::pi / (10 * seen);
+    explain(factor, {{1, "the albedo is missing"},
+                     {0.35 * portable::pi, "1 / pi is missing"},
+                     {portable::pi, "albedo / pi is missing"},
+                     {0.35 / portable::pi, "the light is divided by pi twice"},
+                     {0.35 * 0.35, "the albedo is there twice"},
+                     {0.6, "the albedo of red serves for every colour"},
+                     {0.35 / 2, "the light is divided by 2 pi in place of pi"},
+                     {0.35 / 10, "the weight is missing"},
+                     {0.35 * environment.radiance(down).y / seen, "the light is looked up behind the surface"},
+                     {0.35 / seen, "bright light is cut off at 1"},
+                     {0, "there is no light on top of the sphere"}});
+    // The radiance that a leaning direction with the same weight met.
+    const Vec3 local{0.6, 0.8, 0};
+    const Frame frame = Frame(slanted).rotated(0.2);
+    explain(light(on_sphere(slanted), leaning, 0.2).y / light(on_sphere(up), one).y * seen,
+            {{environment.radiance(local).y, "the light is looked up in the local direction"},
+             {environment.radiance(Frame(slanted).to_world(local)).y,
+              "the frame is not the one given, which may be turned"},
+             {environment.interpolated_radiance(frame.to_world(local)).y,
+              "the light is interpolated; radiance(direction) gives it"},
+             {0, "light is missing where nothing keeps it off"}});
+    const bool lit = light(on_sphere(up), one).x > 0, dark = light(ground, one).x == 0;
+    explain_if(!dark, lit ? "no light is kept off: is_shadowed is missing" : "only what is in the shadow is lit");
+    explain_if(dark && light(on_sphere(right), across).y !=
+                           light(on_sphere(right), rule_of({{right, 10}, {{-1, 0, 0}, 0}, {{0, 0, 1}, 30}})).y,
+               "on the sphere the rectangle keeps no light off");
+    const Color all = light(on_sphere(slanted), four, 0.7);
+    Color sum, positive;
+    for (std::size_t i = 0; i < four.size(); ++i) {
+        const Color part = light(on_sphere(slanted), rule_of({{Vec3(four.direction(i)), four.weights[i]}}), 0.7);
+        sum += part;
+        if (part.y > 0) positive += part;
+    }
+    explain(all.y, {{positive.y, "a negative weight brings nothing; it has to count"},
+                    {sum.y / 4, "the sum is divided by the number of directions"}});
     std::printf("# place red green blue\n");
-    print_light("nothing", light(on_top, {}));
-    print_light("sphere,one_direction", light(on_top, one));
-    print_light("sphere,two_directions", light(on_top, two));
-    print_light("sphere,part_in_the_shadow", light(on_side, across));
-    print_light("rectangle,in_the_shadow", light(ground, one));
-    print_light("rectangle,from_below", light(below, one));
+    const auto print = [](const char* name, Color color) {
+        std::printf("%-26s %.6g %.6g %.6g\n", name, color.x, color.y, color.z);
+    };
+    print("nothing", light(on_sphere(up), {}));
+    print("sphere,one_direction", light(on_sphere(up), one));
+    print("sphere,slanted", light(on_sphere(slanted), leaning, 0.2));
+    print("sphere,four_directions", all);
+    print("sphere,part_in_the_shadow", light(on_sphere(right), across));
+    print("rectangle,in_the_shadow", light(ground, one));
+    print("rectangle,from_below", light(below, one));
+    print("rectangle,turned", light(below, four, 0.45));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::pair<const char*, void (*)()> tasks[] = {
-        {"montecarlo", montecarlo}, {"inverse", inverse}, {"z", z}, {"shade", shade}};
-    try {
-        for (const auto& [name, print] : tasks)
-            if (argc == 2 && std::strcmp(argv[1], name) == 0) return print(), 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-    std::fprintf(stderr, "usage: alone montecarlo, inverse, z or shade\n");
-    return 2;
+    return call(argc, argv, {{"montecarlo", montecarlo}, {"inverse", inverse}, {"z", z}, {"shade", shade}});
 }

@@ -1,15 +1,13 @@
 // alone_rules TASK: what the function of the task table, direct, single, rotated or pool does where rules are made and
-// applied by the stand-ins below, which integrate nothing: their numbers tell which directions were taken, and in which
-// order.
+// applied by the stand-ins below, whose numbers tell which directions were taken, and in which order.
+#include "alone.h"
+
 #include "experiments/error_table.h"
 #include "scene/pixel_rules.h"
 #include "scene/reflection.h"
 
-#include <cmath>
-#include <cstdio>
-#include <cstring>
+#include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 using namespace bmc;
@@ -18,17 +16,17 @@ using portable::pi;
 namespace {
 
 std::size_t rules_made = 0;
+bool numbered = true;  // the weights of a rule are its number
 
-double mark(const std::vector<double>& values) {
-    double sum = 0.1;
-    for (std::size_t i = 0; i < values.size(); ++i) sum += std::sqrt(0.5 + static_cast<double>(i)) * values[i];
-    return sum;
-}
+// What a table was made of.
+struct Taken {
+    std::vector<double> mc, bmc, estimates;  // the y of the first direction of every set, and what bmc estimated
+    double noise = 0;
+} taken;
 
 }  // namespace
 
-namespace bmc {
-DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
+DirectionSet bmc::place_directions(Placement placement, std::size_t n, Random& random) {
     DirectionSet set{placement, {}};
     for (std::size_t i = 0; i < n; ++i) {
         const double y = random.uniform();
@@ -37,47 +35,109 @@ DirectionSet place_directions(Placement placement, std::size_t n, Random& random
     return set;
 }
 
-QuadratureRule monte_carlo_rule(DirectionSet set) {
-    std::vector<double> weights;
-    for (std::size_t i = 0; i < set.directions.size(); ++i) weights.push_back(2 - 0.1 * static_cast<double>(i));
-    return {set.directions, weights};
+QuadratureRule bmc::monte_carlo_rule(DirectionSet set) {
+    taken.mc.push_back(set.directions.at(0).y);
+    return {set.directions,
+            std::vector<double>(set.directions.size(), 2 * pi / static_cast<double>(set.directions.size()))};
 }
 
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {}
 
-// The weights of a rule are its number.
 GaussianProcess::GaussianProcess(const Covariance&, double noise, std::vector<Vec3> directions, KnownPart)
-    : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(noise) {
-    weights_.assign(directions_.size(), static_cast<double>(++rules_made));
+    : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(0) {
+    taken.bmc.push_back(directions_.at(0).y);
+    taken.noise = noise;
+    ++rules_made;
+    const double n = static_cast<double>(directions_.size());
+    for (double i = 0.5; i < n; ++i)
+        weights_.push_back(numbered ? static_cast<double>(rules_made) : 2 * pi / n * (noise + i) / (noise + n / 2));
 }
-QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart) {
+QuadratureRule bmc::bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart) {
     const GaussianProcess process(covariance, noise, std::move(directions));
     return {process.directions(), process.weights()};
 }
-double GaussianProcess::integral(const std::vector<double>& values) const { return mark(values) + variance_; }
-double GaussianProcess::standard_error(const std::vector<double>& values) const { return mark(values) / 7; }
+double GaussianProcess::integral(const std::vector<double>& values) const {
+    double estimate = 0;
+    for (std::size_t i = values.size(); i-- > 0;) estimate += values[i] * weights_[i];
+    taken.estimates.push_back(estimate);
+    return estimate;
+}
+double GaussianProcess::standard_error(const std::vector<double>& values) const {
+    return values.at(0) + values.back() / 7 + static_cast<double>(values.size());
+}
 
-CosineRule cosine_rule(const QuadratureRule& rule) {
+CosineRule bmc::cosine_rule(const QuadratureRule& rule) {
     CosineRule same;
     for (std::size_t i = 0; i < rule.weights.size(); ++i) same.add(rule.directions[i], rule.weights[i]);
     return same;
 }
 
-Color reflected_light(const Scene&, const EnvironmentMap&, const Hit&, const CosineRule&, const Frame&) { return {}; }
-}  // namespace bmc
+Color bmc::reflected_light(const Scene&, const EnvironmentMap&, const Hit&, const CosineRule&, const Frame&) {
+    return {};
+}
 
 namespace {
 
+// How the sets that a method took are not those of the estimates 0, 1, 2, ... of as many as wanted.
+void explain_sets(const char* method, const std::vector<double>& sets, std::size_t wanted,
+                  const ErrorSettings& settings, std::size_t n) {
+    std::string numbers;
+    for (const double y : sets) {
+        std::size_t e = 0;
+        while (e < 9 && estimate_directions(settings, n, e).directions[0].y != y) ++e;
+        numbers += e < 9 ? ' ' + std::to_string(e) : " ?";
+    }
+    std::string right;
+    for (std::size_t e = 0; e < wanted; ++e) right += ' ' + std::to_string(e);
+    explain_if(!sets.empty() && numbers.substr(0, right.size()) != right.substr(0, numbers.size()),
+               "%s takes the directions of the estimates%.40s (?: none of these), not%s", method, numbers.c_str(),
+               right.c_str());
+    explain_if(!sets.empty() && sets.size() != wanted, "%s makes %zu estimates, the settings say %zu", method,
+               sets.size(), wanted);
+}
+
+// Which mean of a process's estimates was taken for the mean error.
+void explain_mean(double error, double truth, std::size_t all) {
+    double sum = 0, absolute = 0, squares = 0, estimates = 0;
+    for (const double estimate : taken.estimates) {
+        sum += estimate - truth;
+        estimates += std::fabs(estimate);
+        absolute += std::fabs(estimate - truth);
+        squares += (estimate - truth) * (estimate - truth);
+    }
+    const double n = static_cast<double>(taken.estimates.size());
+    if (near(error, absolute / n)) return;
+    explain(
+        error,
+        {{absolute, "bmc_error is a sum; it should be a mean"},
+         {estimates / n, "the truth is not subtracted"},
+         {sum / n, "bmc_error is a mean without absolute values"},
+         {std::fabs(sum / n), "bmc_error is the absolute value of a mean; it should be the mean of absolute values"},
+         {std::sqrt(squares / n), "bmc_error is the root of a mean square; it should be the mean of absolute values"},
+         {absolute / static_cast<double>(all), "bmc_error is divided by the number of Monte Carlo's estimates"}});
+}
+
 void table() {
+    numbered = false;
     ErrorSettings settings;
-    settings.samples = {2, 5, 60};
-    settings.mc_estimates = 5;
-    settings.bmc_estimates = 3;
     settings.noise = 0.25;
-    std::printf("# samples mc_error bmc_error bmc_predicted\n");
-    const Integrand integrand{"", "", [](Vec3 w) { return w.y; }, 4};
-    for (const ErrorRow& row : error_table(integrand, settings))
-        std::printf("%zu %.9g %.9g %.9g\n", row.samples, row.mc_error, row.bmc_error, row.bmc_predicted);
+    settings.seed = 7;
+    const Integrand integrand{"", "", [](Vec3 w) { return w.y; }, 3.2};
+    for (const bool more : {false, true}) {
+        settings.mc_estimates = more ? 2 : 5;
+        settings.bmc_estimates = more ? 4 : 3;
+        std::printf("# samples mc_error bmc_error bmc_predicted\n");
+        for (const std::size_t n : {2u, 5u, 60u}) {
+            settings.samples = {n};
+            taken = {};
+            const ErrorRow row = error_table(integrand, settings).at(0);
+            std::printf("%zu %.9g %.9g %.9g\n", row.samples, row.mc_error, row.bmc_error, row.bmc_predicted);
+            explain_sets("Monte Carlo", taken.mc, settings.mc_estimates, settings, n);
+            explain_sets("Bayesian Monte Carlo", taken.bmc, settings.bmc_estimates, settings, n);
+            explain_if(taken.noise != 0.25, "the process has the noise %g, the settings say 0.25", taken.noise);
+            explain_mean(row.bmc_error, integrand.truth, settings.mc_estimates);
+        }
+    }
 }
 
 // A pixel's random numbers, and what the method made of them.
@@ -100,6 +160,16 @@ struct Pixel {
     }
 };
 
+// Whether every direction of every pixel was turned by so many times a number of the pixel.
+bool all_turned(const std::vector<Pixel>& pixels, double factor, double Pixel::*number) {
+    for (const Pixel& pixel : pixels)
+        for (std::size_t i = 0; i < pixel.placed.rule->directions.size(); ++i) {
+            const double apart = pixel.turned(i) - factor * pixel.*number;
+            if (!(std::fabs(apart - std::floor(apart + 0.5)) < 1e-3)) return false;
+        }
+    return true;
+}
+
 const char* angle(const std::vector<Pixel>& pixels) {
     const std::pair<double, const char*> factors[] = {{1, "by the pixel's turns"},
                                                       {0, "not turned"},
@@ -110,27 +180,25 @@ const char* angle(const std::vector<Pixel>& pixels) {
                                                       {360 / (2 * pi), "by 57.3 times as much: turns are no degrees"},
                                                       {2, "twice as far"},
                                                       {0.5, "half as far"}};
-    for (const auto& [factor, words] : factors) {
-        bool fits = true;
-        for (const Pixel& pixel : pixels)
-            for (std::size_t i = 0; i < pixel.placed.rule->directions.size(); ++i) {
-                const double apart = pixel.turned(i) - factor * pixel.turns;
-                fits = fits && std::fabs(apart - std::floor(apart + 0.5)) < 1e-3;
-            }
-        if (fits) return words;
-    }
+    for (const auto& [factor, words] : factors)
+        if (all_turned(pixels, factor, &Pixel::turns)) return words;
+    if (all_turned(pixels, 1, &Pixel::u)) return "by u, which chooses the rule; turns is the angle";
     return "by another angle, or directions by different ones";
 }
 
-void choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
+void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
     for (const auto& shared : rules.shared()) numbers.emplace(shared->directions.weights.at(0), numbers.size());
     std::map<std::size_t, std::pair<double, double>> chosen;  // the least and the largest u for which it is chosen
+    bool by_turns = numbers.size() > 1;
     for (const Pixel& pixel : pixels) {
-        const std::size_t number = numbers.at(pixel.placed.rule->directions.weights.at(0));
-        auto& [least, largest] = chosen.emplace(number, std::pair(pixel.u, pixel.u)).first->second;
+        const auto number = numbers.find(pixel.placed.rule->directions.weights.at(0));
+        if (number == numbers.end()) throw std::runtime_error("the rule is none of shared_rules_");
+        auto& [least, largest] = chosen.emplace(number->second, std::pair(pixel.u, pixel.u)).first->second;
         least = std::min(least, pixel.u), largest = std::max(largest, pixel.u);
+        by_turns = by_turns && number->second == static_cast<std::size_t>(pixel.turns * 7);
     }
+    explain_if(by_turns, "turns chooses the rule; u is for that");
     std::printf("# rules never chosen:");
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (chosen.count(i) == 0) std::printf(" %zu of %zu", i, numbers.size());
@@ -138,7 +206,8 @@ void choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     for (const auto& [number, u] : chosen) std::printf("%zu %.3f %.3f\n", number, u.first, u.second);
 }
 
-void method(Method its) {
+template <Method its>
+void method() {
     RenderSettings settings;
     settings.method = its;
     settings.samples = 3;
@@ -152,30 +221,32 @@ void method(Method its) {
         const double u = same.uniform(), turns = same.uniform();
         const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 0.1 + u, turns - 0.5});
         pixels.push_back({u, turns, rules.rule_for(normal, random), normal});
+        if (!pixels.back().placed.rule) throw std::runtime_error("a pixel has no rule");
         const CosineRule& rule = pixels.back().placed.rule->directions;
         for (std::size_t j = 0; j < rule.size(); ++j)
             upright = upright && std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
         own = own && std::fabs(pixels.back().local(0).y - u) < 1e-3;
     }
+    const std::size_t made = rules_made - shared;
+    explain_if((its == Method::rotated || its == Method::pool) && all_turned(pixels, 0, &Pixel::turns),
+               "not turned: rotated(turns) changes no frame, it returns one that is turned");
+    explain_if(its == Method::direct && made != 2000, "%zu processes for 2000 pixels; every pixel has its own", made);
+    explain_if(its != Method::direct && made > 0, "%zu new processes for 2000 pixels; take one of shared_rules_", made);
     std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->directions.size());
-    std::printf("# rules made for 2000 pixels: %zu\n", rules_made - shared);
+    std::printf("# rules made for 2000 pixels: %zu\n", made);
     std::printf("# their up axis is the normal: %s\n", upright ? "yes" : "no");
     std::printf("# turned: %s\n", angle(pixels));
     if (its == Method::direct) std::printf("# drawn first from the pixel's random numbers: %s\n", own ? "yes" : "no");
-    if (its != Method::direct) choices(pixels, rules);
+    if (its != Method::direct) print_choices(pixels, rules);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
-        if (argc == 2 && std::strcmp(argv[1], "table") == 0) return table(), 0;
-        for (const auto& [name, its] : method_names)
-            if (argc == 2 && std::strcmp(argv[1], name) == 0) return method(its), 0;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-    std::fprintf(stderr, "usage: alone_rules table, direct, single, rotated or pool\n");
-    return 2;
+    return call(argc, argv,
+                {{"table", table},
+                 {"direct", method<Method::direct>},
+                 {"single", method<Method::single>},
+                 {"rotated", method<Method::rotated>},
+                 {"pool", method<Method::pool>}});
 }

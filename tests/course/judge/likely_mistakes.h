@@ -17,8 +17,8 @@ struct Factor {
 };
 constexpr Factor factors[] = {{"1 / pi is missing, or pi too often", portable::pi},
                               {"divided by pi once too often", 1 / portable::pi},
-                              {"2 pi too often", 2 * portable::pi},
-                              {"2 pi is missing", 1 / (2 * portable::pi)},
                               {"weights pi / N in place of 2 pi / N", 0.5},
-                              {"weights 4 pi / N in place of 2 pi / N, or added twice", 2}};
+                              {"weights 4 pi / N in place of 2 pi / N, or added twice", 2},
+                              {"2 pi too often", 2 * portable::pi},
+                              {"2 pi is missing", 1 / (2 * portable::pi)}};
 }  // namespace bmc
