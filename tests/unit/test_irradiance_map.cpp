@@ -70,6 +70,10 @@ TEST_CASE("all the light in one texel of 1024 x 512: the irradiance is within 1.
 
 TEST_CASE("a light whose integrals would exceed the largest float is refused") {
     CHECK_THROWS_AS(IrradianceMap(even_map(2, 2, 3e38)), std::runtime_error);
+    const EnvironmentMap bright_centre = map_of(3, 3, [](int x, int y) {
+        return (x == 1 && y == 1 ? 3e38 : 1.0) * Color{1, 1, 1};
+    });
+    CHECK_THROWS_AS(IrradianceMap{bright_centre}, std::runtime_error);
     CHECK(std::isfinite(IrradianceMap(even_map(2, 2, 1e36))({0, 1, 0}).x));
 }
 

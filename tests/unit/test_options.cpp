@@ -26,6 +26,10 @@ TEST_CASE("model options make the covariance that they name") {
     CHECK_NOTHROW(require_closed_form(settings));
     settings.smoothness = 1.4;
     CHECK_THROWS_AS(require_closed_form(settings), UsageError);
+    CHECK_THROWS_WITH_AS(
+        parse_model({"--length-scale", "2"}, settings),
+        "--length-scale would change nothing: it belongs to --covariance squared-exponential; leave it out",
+        UsageError);
 }
 
 TEST_CASE("only a picture has a light that can be known") {

@@ -31,6 +31,18 @@ TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds
     CHECK(picture_costs(desert, {settings}, {1}, untimed(129))[0].rmse == expected.value());
 }
 
+// Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
+TEST_CASE("the table tells the samples of Monte Carlo with the same error, and the efficiency relative to it") {
+    const std::vector<PictureSettings> compared = main_settings();
+    const auto rows =
+        rows_of(picture_table({{compared[0], 0.2, 0, 0, 0, 0, 0, 3}, {compared[5], 0.1, 0, 0, 0, 0, 0, 6}}, true));
+    REQUIRE(rows.size() == 2);
+    REQUIRE(rows[1].size() == 14);
+    CHECK(rows[1][9] == "160");
+    CHECK(rows[0][13] == "1");
+    CHECK(rows[1][13] == "2");
+}
+
 TEST_CASE("progress grows to 1, other seeds make other errors, and measured times are positive") {
     CostSettings costs;
     costs.size = 4;

@@ -86,6 +86,10 @@ TEST_CASE("a line that is no direction is named") {
     CHECK(reading_error("0.6 -0.8 0\n") == "line 1: the direction lies below the horizon: its y is -0.8");
     CHECK(reading_error("1 -1e-300 0\n") == "line 1: the direction lies below the horizon: its y is -1e-300");
     CHECK(reading_error("# nothing\n") == "there are no numbers in it");
+    std::string rows;
+    for (int i = 0; i < 4096; ++i) rows += "0 1 0\n";
+    CHECK(read(rows).directions.size() == 4096);
+    CHECK(reading_error(rows + "0 1 0\n") == "line 4097: there are more than 4096 rows of numbers");
     CHECK(reading_error(std::string(5000, ' ')) == "line 1: it is longer than 4095 characters");
 }
 
