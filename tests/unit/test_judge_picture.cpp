@@ -71,11 +71,14 @@ TEST_CASE("a program that rounds codes down and shows single texels in the backg
 }
 
 TEST_CASE("under an even light, all of whose codes are rounded alike, both ways to round are correct") {
-    const EnvironmentMap even = even_map(4, 2, 0.5);
-    const PictureSettings settings = settings_of(Method::mc, 200);  // so that half a code shows
-    const Image image = render(sphere_scene(), even, settings);
-    for (const PictureFile& picture : {written(image), rounded_down(image, 255)})
-        check_fits(judged(picture, even, settings));
+    for (const double light : {0.5, 1.0}) {
+        CAPTURE(light);
+        const EnvironmentMap even = even_map(4, 2, light);
+        const PictureSettings settings = settings_of(Method::mc, 400);  // so that half a code shows
+        const Image image = render(sphere_scene(), even, settings);
+        for (const PictureFile& picture : {written(image), rounded_down(image, 255)})
+            check_fits(judged(picture, even, settings));
+    }
 }
 
 TEST_CASE("a wrong factor, geometry or transfer function is found and named" * doctest::test_suite("long")) {
@@ -88,6 +91,7 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named" * d
     CHECK(reason(times(0.5), true) ==
           "likely: one factor for all objects, 0.5: perhaps weights pi / N in place of 2 pi / N");
     CHECK(contains(reason(times(1 / (2 * pi))), "0.159: perhaps 2 pi is missing"));
+    CHECK(contains(reason(times(2 * pi / 40)), ": perhaps 2 pi is missing; or 2 pi / N too often"));
     CHECK(reason(times(0)) == "likely: one factor for all objects, 0: perhaps nothing is added up");
     CHECK(reason(pixels([&](int x, int y) { return image(x, side - 1 - y); })) == "likely: upside down");
     CHECK(contains(reason(pixels([&](int x, int y) { return image(side - 1 - x, y); })), "likely: mirrored"));

@@ -60,12 +60,11 @@ void explain_whole(const Image& picture, const Truth& truth, int maxval, const C
     });
     encode(maxval > 0 ? "encoded by the sRGB curve twice" : "sRGB codes in a PFM, which holds linear values",
            srgb_encoded);
-    if (maxval > 0) {
-        encode("linear values in a PPM, which holds sRGB codes", srgb_decoded);
-        encode("encoded by a gamma of 2.2 in place of the sRGB curve",
-               [](double v) { return srgb_decoded(portable::pow(v, 1 / 2.2)); });
-    }
     consider({"the background is black", picture, times(1, 0, truth)});
+    if (maxval == 0) return;
+    encode("linear values in a PPM, which holds sRGB codes", srgb_decoded);
+    encode("encoded by a gamma of 2.2 in place of the sRGB curve",
+           [](double v) { return srgb_decoded(portable::pow(v, 1 / 2.2)); });
 }
 
 void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
@@ -77,11 +76,15 @@ void explain_objects(const Image& picture, const Truth& truth, const Environment
         for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i].image.set(x, y, ratios[i] * truth.image(x, y));
     });
     for (std::size_t i = 0; i < wrong.size(); ++i) consider({wrong_integrands[i], picture, wrong[i]});
-    const double n = static_cast<double>(samples);
-    std::vector<Factor> all{{"nothing is added up", 0}, {"not divided by N", n}, {"divided by N twice", 1 / n}};
-    all.insert(all.end(), std::begin(factors), std::end(factors));
-    for (const auto& [reason, factor] : all)
-        consider({formatted("one factor for all objects, %.3g: perhaps %s", factor, reason), picture,
-                  times(factor, 1, truth)});
+    const double n = static_cast<double>(samples), weight = 2 * portable::pi / n;
+    std::vector<Factor> all(std::begin(factors), std::end(factors));
+    all.insert(all.end(), {{"nothing is added up", 0}, {"not divided by N", n}, {"divided by N twice", 1 / n}});
+    all.insert(all.end(), {{"2 pi / N too often", weight}, {"2 pi / N is missing", 1 / weight}});
+    for (const Factor& each : all) {  // with those that a picture may not tell from it: 40 is about 4 pi^2
+        std::string cause = formatted("one factor for all objects, %.3g", each.factor), before = ": perhaps ";
+        for (const auto& [reason, factor] : all)
+            if (std::fabs(factor - each.factor) <= 0.04 * each.factor) cause += std::exchange(before, "; or ") + reason;
+        consider({cause, picture, times(each.factor, 1, truth)});
+    }
 }
 }  // namespace bmc

@@ -22,10 +22,7 @@ double from_log_of_fraction(double t) { return std::clamp(portable::exp(t) - 0.0
 double log_odds(double correlation) {
     return portable::log((0.1 + std::max(correlation, -0.09)) / (1.01 - correlation));
 }
-double from_log_odds(double t) {
-    const double odds = portable::exp(t);
-    return std::min(1.0, (1.01 * odds - 0.1) / (1 + odds));
-}
+double from_log_odds(double t) { return std::min(1.0, 1.01 - 1.11 / (1 + portable::exp(t))); }
 
 // A scale on which the spread of a number over seeds is about normal: errors by their logarithms, correlations by those
 // of their distances to 0 and 1. The floor is the least deviation that is allowed for: correct programs differ in their

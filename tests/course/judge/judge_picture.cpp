@@ -46,6 +46,7 @@ Background background_of(const Image& picture, const Truth& truth, int maxval) {
         count += 1;
     }
     count = std::max(1.0, count);
+    if (down == 0) down = -image_error(picture, truth).brightness;  // a background of 0 and 1 tells nothing
     return {differing / count, std::max(0.001, 2 / count), maxval > 0 && down > 0 ? 0.5 : 0};
 }
 
@@ -111,9 +112,8 @@ bool is_as_bright(const Fingerprint& measured, const Expected& expected, double 
     return true;
 }
 
-// The explanation that the picture is nearest to. Where the background proves it, the objects need only be nearer to it
-// than to the truth; otherwise nearly as near as correct pictures are to the truth, and not mostly white. An empty text
-// if there is none.
+// The explanation that the picture is nearest to, or an empty text. Where the background proves it, the objects need
+// only be nearer to it than to the truth; otherwise nearly as near as correct pictures are, and not mostly white.
 std::string cause_of(const PictureFile& picture, const View& view, const Expected& expected, const Comparison& beside) {
     const bool is_proof = !view.background.fits();
     if (!is_proof && is_as_bright(view.fingerprint, expected)) return "";
