@@ -4,11 +4,12 @@
 
 TEST_CASE("a Monte Carlo rule integrates its known part exactly: 1, or the cosine that its directions follow") {
     Random random(1, 0);
-    for (const auto& [name, placement] : placement_names)
+    for (const auto& named : placement_names)
         for (std::size_t n : {1u, 2u, 40u, 1000u}) {
+            const Placement placement = named.second;
             const QuadratureRule rule = monte_carlo_rule(place_directions(placement, n, random));
             const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
-            CAPTURE(name);
+            CAPTURE(named.first);
             CHECK(rule.known == (cosine ? KnownPart::cosine : KnownPart::nothing));
             CHECK(known_part(rule.known, {0.6, 0.8, 0}) == (cosine ? 0.8 : 1));
             CHECK(rule.directions.size() == n);
