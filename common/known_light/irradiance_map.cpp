@@ -4,6 +4,7 @@
 #include "scene/parallel.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 
 namespace bmc {
@@ -11,6 +12,9 @@ namespace {
 
 // The cells that light is gathered in, and those of the table, which holds E at their corners.
 constexpr int light_columns = 96, light_rows = 48, columns = 128, rows = 64;
+
+// In which of so many equal parts texel i of n lies.
+std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
 
 // For each cell and each colour the integral of L w dw.
 std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
@@ -25,8 +29,8 @@ std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
             const Color light = solid_angle * texels(row, column);
             const Vec3 azimuth = azimuths[static_cast<std::size_t>(column)];
             const Vec3 direction{polar.sine * azimuth.x, polar.cosine, polar.sine * azimuth.z};
-            Vec3* flux = &fluxes[static_cast<std::size_t>(
-                3 * (row * light_rows / texels.rows() * light_columns + column * light_columns / texels.columns()))];
+            Vec3* flux = &fluxes[3 * (part_with(row, texels.rows(), light_rows) * light_columns +
+                                      part_with(column, texels.columns(), light_columns))];
             for (const double colour : {light.x, light.y, light.z}) *flux++ += colour * direction;
         }
     }
@@ -51,6 +55,7 @@ IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads
             z[i] = normal.z;
         }
         for (std::size_t f = 0; f < flux.size(); ++f) {
+            if (dot(flux[f], flux[f]) == 0) continue;  // nearly all of a sun's map
             const Direction part(flux[f]);
             const float vertical = static_cast<float>(polar.cosine) * part.y;
             float* sum = sums[f % 3];
