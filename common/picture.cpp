@@ -26,10 +26,6 @@ EnvironmentLight prefilter(const EnvironmentMap& environment, unsigned threads) 
     return {environment, std::make_shared<const PrefilteredEnvironment>(environment, threads)};
 }
 
-EnvironmentLight light_for(const EnvironmentMap& environment, const PictureSettings& settings) {
-    return settings.light_known ? prefilter(environment, settings.threads) : EnvironmentLight{environment};
-}
-
 Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
               const Progress& progress) {
     if (!settings.light_known) return render(scene, light.environment, settings, progress);

@@ -33,9 +33,6 @@ struct EnvironmentLight {
 // The environment with its averages, which so many threads make.
 EnvironmentLight prefilter(const EnvironmentMap& environment, unsigned threads = 1);
 
-// The environment as a picture by these settings needs it.
-EnvironmentLight light_for(const EnvironmentMap& environment, const PictureSettings& settings);
-
 // The image of linear radiance. Throws what the Gaussian processes throw.
 Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
               const Progress& progress = nullptr);

@@ -60,7 +60,8 @@ ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, c
 Image asked_picture(const EnvironmentMap& environment, PictureSettings settings, const Prediction& prediction,
                     Format format, const Progress& progress) {
     const Scene scene = sphere_scene();
-    const EnvironmentLight light = light_for(environment, settings);
+    const EnvironmentLight light =
+        settings.light_known ? prefilter(environment, settings.threads) : EnvironmentLight{environment};
     const double unknown_sun = prediction.is_asked() && !settings.light_known ? Sun(environment).share() : 0;
     if (prediction.rmse > 0) {
         if (unknown_sun > 0)

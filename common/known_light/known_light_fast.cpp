@@ -3,14 +3,10 @@
 #include <algorithm>
 
 namespace bmc {
-namespace {
-
 // A texel and the float behind it, which one instruction loads and widens.
 typedef double Double4 __attribute__((vector_size(32)));
 
 constexpr std::size_t batch = 256;  // rays
-
-}  // namespace
 
 // If no ray is shadowed, both sums of the quotient are equal. Otherwise the texels of a batch of rays come first, in a
 // loop with independent iterations; then the sums, in the order of the plain loop.

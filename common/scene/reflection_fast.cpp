@@ -3,14 +3,10 @@
 #include <algorithm>
 
 namespace bmc {
-namespace {
-
 // A texel and the float behind it, which one instruction loads and widens.
 typedef double Double4 __attribute__((vector_size(32)));
 
 constexpr std::size_t batch = 256;  // rays
-
-}  // namespace
 
 // First the texels of a batch of rays; a shadowed ray has the black one behind the map. Iterations of that loop are
 // independent. Then the sum, in the order of the plain loop; its texels are on their way from memory by then.
