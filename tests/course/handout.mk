@@ -11,7 +11,7 @@ check:
 	@BUILD=$(BUILD) BIN=$(BIN) MAKE='$(MAKE)' tests/check
 check_programs: all $(BUILD)/compare $(BUILD)/unsolved.a
 
-$(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_text.o $(BUILD)/tests/compare_picture.o $(COMMON)
+$(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_text.o $(BUILD)/tests/compare_picture.o $(BUILD)/unsolved.a
 	$(call as,LINK $@) $(LINK) -o $@
 
 # For each task a program that calls its functions alone. tests/check writes the sources and what each program is made
