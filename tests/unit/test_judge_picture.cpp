@@ -70,7 +70,8 @@ TEST_CASE("a program that rounds codes down and shows single texels in the backg
     }
 }
 
-TEST_CASE("under an even light, all of whose codes are rounded alike, both ways to round are correct") {
+TEST_CASE("under an even light, all of whose codes are rounded alike, both ways to round are correct" *
+          doctest::test_suite("long")) {
     for (const double light : {0.5, 1.0}) {
         CAPTURE(light);
         const EnvironmentMap even = even_map(4, 2, light);
