@@ -13,6 +13,14 @@ using namespace bmc;
 
 namespace {
 
+// Of what should be 1: other numbers may differ by a thousandth, and 3.14 is wrong. Pictures show 3.1415.
+const char* digits_of_pi(double quotient) {
+    const double error = std::fabs(quotient - 1);
+    const bool few = error > 1e-5 && error < 1e-3;
+    explain_if(few, "pi has more digits: portable::pi");
+    return few ? "few" : "enough";
+}
+
 double only_rounding_is_zero(double value) { return std::fabs(value) < 1e-9 ? 0 : value; }
 
 void print_matrix(const char* name, const Matrix& matrix) {
@@ -23,7 +31,8 @@ void print_matrix(const char* name, const Matrix& matrix) {
 }
 
 void montecarlo() {
-    std::printf("# n directions weights sum_of_weights least_weight largest_weight known directions_are\n");
+    std::printf(
+        "# n directions weights sum_of_weights least_weight largest_weight known directions_are digits_of_pi\n");
     for (const std::size_t n : {1u, 8u, 41u}) {
         Random random(n, 0);
         const DirectionSet set = place_directions(Placement::uniform, n, random);
@@ -34,8 +43,9 @@ void montecarlo() {
         for (std::size_t i = 0; i < std::min(n, rule.directions.size()); ++i)
             apart += squared_distance(rule.directions[i], set.directions[i]);
         const auto [least, largest] = std::minmax_element(rule.weights.begin(), rule.weights.end());
-        std::printf("%zu %zu %zu %.9g %.9g %.9g %s %s\n", n, rule.directions.size(), rule.weights.size(), sum, *least,
-                    *largest, rule.known == KnownPart::nothing ? "nothing" : "cosine", apart > 0 ? "others" : "given");
+        std::printf("%zu %zu %zu %.9g %.9g %.9g %s %s %s\n", n, rule.directions.size(), rule.weights.size(), sum,
+                    *least, *largest, rule.known == KnownPart::nothing ? "nothing" : "cosine",
+                    apart > 0 ? "others" : "given", digits_of_pi(sum / (2 * portable::pi)));
         explain_if(rule.directions.size() != n, "the rule has %zu directions, %zu were given", rule.directions.size(),
                    n);
         explain_if(apart > 0, "the rule's directions are not those that were given");
@@ -93,7 +103,8 @@ void print_refusal(const char* name, double a, double b, double c) {
         explain_if(
             c > 1 && b == 1,
             "a pivot that is 0 but for rounding is not refused: root_of_pivot wants the a_kk of A, not the pivot");
-        explain_if(a < 0 || b > a, "a matrix that is not positive definite is not refused: root_of_pivot does that");
+        explain_if(a < 0 || b > a,
+                   "a matrix that is not positive definite is not refused: root_of_pivot(k, pivot, a_kk) does that");
     } catch (const NotPositiveDefinite& error) {
         std::printf("%s %zu\n", name, error.index);
     }
@@ -215,8 +226,9 @@ void shade() {
     const auto light = [&](const Hit& hit, const CosineRule& its, double turns = 0) {
         return reflected_light(scene, environment, hit, its, Frame(hit.normal).rotated(turns));
     };
-    // What one direction on top of the sphere was multiplied by, and which radiance a leaning one met.
+    // What one direction on top of the sphere was multiplied by.
     const double seen = environment.radiance(up).y, factor = light(on_sphere(up), one).y * portable::pi / (10 * seen);
+    explain_if(light(on_sphere(up), {}).y > 0, "the sum goes on from the call before; it has to begin with 0");
     explain(factor, {{1, "the albedo is missing"},
                      {0.35 * portable::pi, "1 / pi is missing"},
                      {portable::pi, "albedo / pi is missing"},
@@ -224,6 +236,7 @@ void shade() {
                      {0.35 * 0.35, "the albedo is there twice"},
                      {0.6, "the albedo of red serves for every colour"},
                      {0.35 / 2, "the light is divided by 2 pi in place of pi"},
+                     {0.35 / (2 * portable::pi), "the light is divided by 2 pi once more"},
                      {0.35 / 10, "the weight is missing"},
                      {0.35 * environment.radiance(down).y / seen, "the light is looked up behind the surface"},
                      {0.35 / seen, "bright light is cut off at 1"},
@@ -252,7 +265,7 @@ void shade() {
     }
     explain(all.y, {{positive.y, "a negative weight brings nothing; it has to count"},
                     {sum.y / 4, "the sum is divided by the number of directions"}});
-    std::printf("# place red green blue\n");
+    std::printf("# digits_of_pi\n%s\n# place red green blue\n", digits_of_pi(factor / 0.35));
     const auto print = [](const char* name, Color color) {
         std::printf("%-26s %.6g %.6g %.6g\n", name, color.x, color.y, color.z);
     };

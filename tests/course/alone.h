@@ -1,5 +1,5 @@
 // What alone.cpp, alone_integral.cpp and alone_rules.cpp share. Each calls the functions of single tasks and prints
-// what they give. Where that cannot be right the first line on stderr says why.
+// what they give. Where that cannot be right a line "cause: " on stderr says why.
 #pragma once
 
 #include <unistd.h>
@@ -15,6 +15,7 @@ __attribute__((format(printf, 2, 3))) inline void explain_if(bool so, const char
     if (!so) return;
     va_list values;
     va_start(values, format);
+    std::fputs("cause: ", stderr);
     std::vfprintf(stderr, format, values);
     va_end(values);
     std::fputc('\n', stderr);

@@ -21,7 +21,7 @@ bool numbered = true;  // the weights of a rule are its number
 // What a table was made of.
 struct Taken {
     std::vector<double> mc, bmc, estimates;  // the y of the first direction of every set, and what bmc estimated
-    double noise = 0;
+    double noise = 0, covariance = 0;
 } taken;
 
 }  // namespace
@@ -43,14 +43,16 @@ QuadratureRule bmc::monte_carlo_rule(DirectionSet set) {
 
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {}
 
-GaussianProcess::GaussianProcess(const Covariance&, double noise, std::vector<Vec3> directions, KnownPart)
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart)
     : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(0) {
     taken.bmc.push_back(directions_.at(0).y);
     taken.noise = noise;
+    taken.covariance = covariance(1);
     ++rules_made;
     const double n = static_cast<double>(directions_.size());
     for (double i = 0.5; i < n; ++i)
-        weights_.push_back(numbered ? static_cast<double>(rules_made) : 2 * pi / n * (noise + i) / (noise + n / 2));
+        weights_.push_back(numbered ? static_cast<double>(rules_made)
+                                    : 2 * pi / n * (noise + i) / (taken.covariance + n / 2));
 }
 QuadratureRule bmc::bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart) {
     const GaussianProcess process(covariance, noise, std::move(directions));
@@ -120,6 +122,7 @@ void explain_mean(double error, double truth, std::size_t all) {
 void table() {
     numbered = false;
     ErrorSettings settings;
+    settings.covariance = CovarianceFamily::squared_exponential;
     settings.noise = 0.25;
     settings.seed = 7;
     const Integrand integrand{"", "", [](Vec3 w) { return w.y; }, 3.2};
@@ -135,6 +138,7 @@ void table() {
             explain_sets("Monte Carlo", taken.mc, settings.mc_estimates, settings, n);
             explain_sets("Bayesian Monte Carlo", taken.bmc, settings.bmc_estimates, settings, n);
             explain_if(taken.noise != 0.25, "the process has the noise %g, the settings say 0.25", taken.noise);
+            explain_if(taken.covariance != (*settings.make_covariance())(1), "the process has another covariance");
             explain_mean(row.bmc_error, integrand.truth, settings.mc_estimates);
         }
     }
@@ -229,7 +233,7 @@ void method() {
     }
     const std::size_t made = rules_made - shared;
     explain_if((its == Method::rotated || its == Method::pool) && all_turned(pixels, 0, &Pixel::turns),
-               "not turned: rotated(turns) changes no frame, it returns one that is turned");
+               "not turned: rotated(turns) changes no frame, it returns one that is turned by a number of turns");
     explain_if(its == Method::direct && made != 2000, "%zu processes for 2000 pixels; every pixel has its own", made);
     explain_if(its != Method::direct && made > 0, "%zu new processes for 2000 pixels; take one of shared_rules_", made);
     std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->directions.size());

@@ -82,6 +82,18 @@ TEST_CASE("under an even light, all of whose codes are rounded alike, both ways 
     }
 }
 
+TEST_CASE("under a light of black and white texels, both ways to round codes are correct" *
+          doctest::test_suite("long")) {
+    PictureSettings settings = settings_of(Method::pool);
+    settings.width = settings.height = 100;
+    settings.placement = Placement::cosine_fibonacci;
+    settings.known = KnownPart::cosine;
+    const EnvironmentMap map = load_environment("black-and-white");
+    const Image image = render(sphere_scene(), map, settings);
+    for (const PictureFile& picture : {written(image), rounded_down(image, 255)})
+        check_fits(judged(picture, map, settings));
+}
+
 TEST_CASE("a wrong factor, geometry or transfer function is found and named" * doctest::test_suite("long")) {
     const Image image = rendered(Method::pool);
     const auto times = [&](double factor) {
@@ -123,6 +135,17 @@ TEST_CASE("what is no such mistake has no cause, but a place" * doctest::test_su
     CHECK(contains(
         reason(image_of(side, side, [&](int x, int y) { return image(shows_object(x, y) ? x : (x + 1) % side, y); })),
         "it errs most in the background, of which "));
+    CHECK(contains(reason(Image(side, side)), "it errs most in the background, of which "));
+    const auto blurred = [&](int x, int y) {
+        Color sum;
+        for (int i = 0; i < 9; ++i) {
+            const int column = x + i % 3 - 1, row = y + i / 3 - 1;
+            if (!shows_object(column, row)) return image(x, y);
+            sum += image(column, row);
+        }
+        return 1.0 / 9 * sum;
+    };
+    CHECK(!contains(reason(image_of(side, side, blurred)), "neighbouring pixels share"));
     Random random(3, 0);
     CHECK(said([&](Color c, const Hit&, int) { return (0.9 + 0.2 * random.uniform()) * c; }).empty());
 }

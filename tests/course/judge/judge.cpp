@@ -17,11 +17,11 @@ struct Request {
 
 std::vector<Option> options(Request& request) {
     const PictureOptions of_picture(request.correct);
-    return join({{of_picture.method, of_picture.samples, of_picture.pool, of_picture.placement},
-                 of_picture.process,
-                 {name_option("environment", "FILE", "the pictures' light: a Radiance .hdr file, or bright-desert",
-                              request.environment),
-                  {"help", "", "this text", [&](const std::string&) { request.help = true; }}}});
+    return join(
+        {{of_picture.method, of_picture.samples, of_picture.pool, of_picture.placement},
+         of_picture.process,
+         {name_option("environment", "FILE", std::string("the pictures' ") + environment_help, request.environment),
+          {"help", "", "this text", [&](const std::string&) { request.help = true; }}}});
 }
 
 Request parse(int argc, char** argv) {

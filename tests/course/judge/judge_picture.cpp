@@ -23,7 +23,7 @@ constexpr std::size_t seeds = 40;
 struct Background {
     double differing;  // fraction of the pixels with a code off by more than 1.5
     double accepted;   // of that fraction
-    double offset;     // 1/2 where the program rounds codes down, otherwise 0
+    double down;       // how many more values show codes that are rounded down than to the nearest; 0 tells nothing
 
     bool fits() const { return differing <= accepted; }
 };
@@ -46,16 +46,14 @@ Background background_of(const Image& picture, const Truth& truth, int maxval) {
         count += 1;
     }
     count = std::max(1.0, count);
-    if (down == 0) down = -image_error(picture, truth).brightness;  // a background of 0 and 1 tells nothing
-    return {differing / count, std::max(0.001, 2 / count), maxval > 0 && down > 0 ? 0.5 : 0};
+    return {differing / count, std::max(0.001, 2 / count), down};
 }
 
-// A picture of codes as it was before its program rounded it in its own way.
-Image undo_rounding(const Image& picture, int maxval, double offset) {
-    if (offset == 0) return picture;
+// A picture of codes, half a code brighter: as it was before its program rounded codes down.
+Image undo_rounding(const Image& picture, int maxval) {
     return each_channel(picture, [&](double linear) {
         const double code = maxval * srgb_encoded(linear);
-        return code < 0.5 || code > maxval - 0.5 ? linear : srgb_decoded((code + offset) / maxval);
+        return code < 0.5 || code > maxval - 0.5 ? linear : srgb_decoded((code + 0.5) / maxval);
     });
 }
 
@@ -63,18 +61,35 @@ Image undo_rounding(const Image& picture, int maxval, double offset) {
 struct View {
     const Truth* truth;
     Background background;
+    bool rounds_down;
     Fingerprint fingerprint;
     BlockError block;
     double light, lost;  // root mean square of the truth, and the share of its light that is beyond white
 };
-View view_of(const Image& picture, const Truth& whole, int maxval) {
+View view_of(const Image& picture, const Truth& whole, int maxval, bool rounds_down = false) {
     const auto hold = [&](double v) { return maxval > 0 ? std::min(v, 1.0) : v; };
     const Truth truth{each_channel(whole.image, hold), whole.mask};
     const Background background = background_of(picture, truth, maxval);
-    const Image image = undo_rounding(picture, maxval, background.offset);
+    const Image image = rounds_down ? undo_rounding(picture, maxval) : picture;
     const double light = image_error(Image(image.width(), image.height()), truth).rmse,
                  lost = -image_error(truth.image, whole).brightness;
-    return {&whole, background, fingerprint(image, truth), largest_block_error(image, truth), light, lost};
+    return {&whole, background, rounds_down, fingerprint(image, truth), largest_block_error(image, truth), light, lost};
+}
+
+// The view of a picture that is nearest to correct ones: with an interpolated background or with texels, with codes
+// that are rounded to the nearest or down. If the background does not tell how codes are rounded, the brightness does.
+View nearest_view(const PictureFile& picture, const Expected& expected) {
+    const auto view = [&](std::size_t truth, bool down) {
+        return view_of(picture.image, expected.truths[truth], picture.maxval, down);
+    };
+    const View interpolated = view(0, false), texels = view(1, false);
+    const bool shows_texels = texels.background.differing < interpolated.background.differing;
+    const View& nearest = shows_texels ? texels : interpolated;
+    if (picture.maxval == 0 || nearest.background.down < 0) return nearest;
+    const View down = view(shows_texels, true);
+    const double mean = spread_of(expected.correct, brightness_number).mean;
+    const auto error = [&](const View& each) { return std::fabs(each.fingerprint[brightness_number] - mean); };
+    return nearest.background.down > 0 || error(down) < error(nearest) ? down : nearest;
 }
 
 // The fingerprints of correct pictures in files of this kind.
@@ -118,15 +133,16 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
     const bool is_proof = !view.background.fits();
     if (!is_proof && is_as_bright(view.fingerprint, expected)) return "";
     std::string cause;
-    double least = is_proof ? 1.02 * view.fingerprint[rmse_number] : HUGE_VAL;
+    double least = HUGE_VAL;
     const auto consider = [&](const Explanation& explanation) {
-        const View explained = view_of(explanation.picture, explanation.truth, picture.maxval);
+        const View explained = view_of(explanation.picture, explanation.truth, picture.maxval, view.rounds_down);
         const Fingerprint& measured = explained.fingerprint;
         const double share = 1.3 * explained.light / view.light;
         const bool is_near = !(explained.lost > 0.5) && is_as_bright(measured, expected, 1.5, 0.04) &&
                              measured[rmse_number] <= share * beside["rmse"].high &&
                              measured[block_number] <= share * beside["block"].high;
-        if (!explained.background.fits() || measured[rmse_number] >= least || !(is_proof || is_near)) return;
+        const bool is_nearer = is_proof && measured[rmse_number] < 0.98 * view.fingerprint[rmse_number];
+        if (!explained.background.fits() || measured[rmse_number] >= least || !(is_nearer || is_near)) return;
         least = 0.98 * measured[rmse_number];
         cause = explanation.cause;
     };
@@ -147,7 +163,8 @@ std::string pattern_of(const View& view, const Expected& expected, const Compari
     if (beside["repeats"].measured > std::max(0.5, beside["repeats"].high))
         return formatted("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
     const double roughness = spread_of(expected.correct, roughness_number).mean;
-    if (beside["correlation"].measured > 0.5 && view.fingerprint[roughness_number] < 0.6 * roughness)
+    if (beside["correlation"].measured > 0.5 && beside["rmse"].measured >= beside["rmse"].low &&
+        view.fingerprint[roughness_number] < 0.6 * roughness)
         return "neighbouring pixels share random numbers, or rules that are not turned";
     return "";
 }
@@ -205,9 +222,7 @@ Expected expect(const EnvironmentLight& light, PictureSettings settings, const P
 }
 
 Judgement judge(const PictureFile& picture, const Expected& expected) {
-    const View interpolated = view_of(picture.image, expected.truths[0], picture.maxval),
-               texels = view_of(picture.image, expected.truths[1], picture.maxval),
-               &view = texels.background.differing < interpolated.background.differing ? texels : interpolated;
+    const View view = nearest_view(picture, expected);
     Judgement judgement{compare(view.fingerprint, expected.correct, expected.accepted), view.block, ""};
     Comparison& comparison = judgement.comparison;
     comparison.quantities.insert(comparison.quantities.begin(),
