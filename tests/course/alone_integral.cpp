@@ -30,8 +30,9 @@ void print(const char* name, double z, std::vector<double> values, double right)
     for (const double value : values) mean += 2 * portable::pi / n * value;
     explain(integral, {{right / n, "the estimate is divided by the number of samples; the weights do that already"},
                        {z * values[0] + 3.25 * values[1] + 2.5 * (n - 2) * values[2], "the values are weighted by z"},
-                       {mean, "the estimate is Monte Carlo's: it does not use the weights"},
                        {right - w.back() * values.back(), "the last value does not count"}});
+    if (values[0] != values[1])
+        explain(integral, {{mean, "the estimate is Monte Carlo's: it does not use the weights"}});
 }
 
 void integral() {

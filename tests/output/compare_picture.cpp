@@ -143,7 +143,7 @@ std::string describe_light(const Picture& reference, const Picture& actual, cons
     const double factor = common_factor(reference, actual, pixels), percent = 100 * std::fabs(found / expected - 1);
     if (factor != 0)
         return "the light of every pixel is " + in_words(factor, 3) + " times the reference's" + reason(factor);
-    return "it is " + in_words(percent, percent < 10 ? 2 : 3) + (found < expected ? " % darker" : " % brighter");
+    return "there it is " + in_words(percent, percent < 10 ? 2 : 3) + (found < expected ? " % darker" : " % brighter");
 }
 
 }  // namespace
