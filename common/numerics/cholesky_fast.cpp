@@ -26,23 +26,21 @@ void subtract(double* __restrict row, std::size_t width, std::size_t count, cons
 
 }  // namespace
 
-// Below its diagonal u gets L, whose rows are the multiples. In a large matrix a strip is computed in x: in u its rows
-// lie so far apart, 32 KiB for n = 4096, that they compete for the same places of the cache.
+// Below its diagonal u gets L, whose rows are the multiples. A small matrix is one strip. The strips of a large one are
+// computed in x: in u their rows lie so far apart, 32 KiB for n = 4096, that they compete for the same places of the
+// cache.
 void factor_fast(Matrix& u) {
-    const std::size_t n = u.rows();
-    const bool is_large = n > 512;
-    Matrix x(is_large ? n : 0, strip);
-    double* const rows = is_large ? x.row(0) : u.row(0);
-    const std::size_t step = is_large ? strip : n;
-    for (std::size_t begin = 0; begin < n; begin += strip) {
-        const std::size_t end = std::min(begin + strip, n);
+    const std::size_t n = u.rows(), width = n > 2 * strip ? strip : n;
+    Matrix x(width < n ? n : 0, width);
+    double* const rows = width < n ? x.row(0) : u.row(0);
+    for (std::size_t begin = 0; begin < n; begin += width) {
+        const std::size_t end = std::min(begin + width, n);
         for (std::size_t k = 0; k < end; ++k) {
             const std::size_t first = std::max(k, begin);
             const double a_kk = u(k, k);
-            double* const in_strip = rows + (is_large ? first - begin : first);
-            double* const row = in_strip + k * step;
-            if (is_large) std::copy(u.row(k) + first, u.row(k) + end, row);
-            subtract(row, end - first, k, u.row(k), 1, in_strip, static_cast<std::ptrdiff_t>(step));
+            double *const top = rows + first - begin, *const row = top + k * width;
+            if (width < n) std::copy(u.row(k) + first, u.row(k) + end, row);
+            subtract(row, end - first, k, u.row(k), 1, top, static_cast<std::ptrdiff_t>(width));
             if (k >= begin) u(k, k) = row[0] = root_of_pivot(k, row[0], a_kk);
             const double factor = 1 / u(k, k);
             for (std::size_t j = std::max(k + 1, begin); j < end; ++j) u(j, k) = u(k, j) = row[j - first] *= factor;
