@@ -34,32 +34,6 @@ Sum fast_two_sum(double a, double b) {
     return {sum, (a - sum) + b};
 }
 
-// a * b, relative error below 2^-75: the product of 26 bits by 26 is exact, and the rest is 2^-24 of it.
-Sum product(const Sum& a, const Sum& b) {
-    const double a_hi = leading_bits<26>(a.hi), a_lo = (a.hi - a_hi) + a.lo;
-    const double b_hi = leading_bits<26>(b.hi), b_lo = (b.hi - b_hi) + b.lo;
-    return {a_hi * b_hi, a_hi * b_lo + a_lo * (b_hi + b_lo)};
-}
-
-// e^(hi + lo) for |lo| <= ulp(hi), as 2^k e^r with |r| <= ln(2) / 2.
-// e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!), cut off below 2^-57: even and odd powers apart, side by side.
-double exp_of_sum(double hi, double lo) {
-    constexpr double even[] = {1.0 / 2, 1.0 / 24, 1.0 / 720, 1.0 / 40320, 1.0 / 3628800, 1.0 / 479001600};
-    constexpr double odd[] = {1.0 / 6, 1.0 / 120, 1.0 / 5040, 1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800};
-    constexpr double inverse_ln2 = 0x1.71547652b82fep+0;
-    if (!(hi < 710)) return hi + infinity;  // nan stays nan
-    if (hi < -746) return 0;
-    const double k = std::floor(hi * inverse_ln2 + 0.5);
-    const Sum r = fast_two_sum(hi - k * ln2_hi, lo - k * ln2_lo);
-    const double square = r.hi * r.hi;
-    const double tail = square * (polynomial(even, square) + r.hi * polynomial(odd, square));
-    const Sum linear = fast_two_sum(1, r.hi);
-    const double mantissa = linear.hi + (linear.lo + (r.lo * linear.hi + tail));
-    // Two steps, since 2^k alone can be too small or too large for a double although the result is not.
-    const int exponent = static_cast<int>(k), half = exponent / 2;
-    return mantissa * power_of_two(half) * power_of_two(exponent - half);
-}
-
 // x = 2^exponent * significand with lower_bound <= significand < 2 lower_bound, for finite x > 0 and a lower bound in
 // [1/2, 1].
 struct Decomposition {
@@ -75,36 +49,26 @@ Decomposition decompose(double x, double lower_bound) {
     return {exponent, from_bits(bits - (biased << 52) + one)};
 }
 
-// (3/2) ln x for finite x > 0, relative error about 2^-64. x = 2^k m, and c = 1 or 3/2 is near m. With
-// s = (m - c) / (m + c), |s| <= 0.1011: (3/2) ln(m/c) = 3 artanh s = 3 s + s^3 + s^5 (3/5 + 3/7 s^2 + ... + 3/19 s^14),
-// cut off below 2^-70. Thanks to the factor 3 the first two terms are exact for a short s_hi in s = s_hi + s_lo; the
-// others are so small that plain doubles do for them.
-Sum three_halves_log(double x) {
-    constexpr double even[] = {3.0 / 5, 3.0 / 9, 3.0 / 13, 3.0 / 17};
-    constexpr double odd[] = {3.0 / 7, 3.0 / 11, 3.0 / 15, 3.0 / 19};
-    // (3/2) ln 2 and (3/2) ln c, split like ln 2 above. A table, since a branch here would be mispredicted.
-    constexpr Sum log_two = {0x1.0a2b23f200000p+0, 0x1.bab73681aed59p-32};
-    constexpr Sum log_centre[] = {{0, 0}, {0x1.3765af1800000p-1, 0x1.f6471ec11d432p-34}};
-    constexpr double centre[] = {1, 1.5};
-    const auto [k, m] = decompose(x, 0x1.bb67ae8584caap-1);  // sqrt(3)/2
-    const int nearest = m > 0x1.3988e1409212ep+0;            // sqrt(3/2)
-    const double c = centre[nearest];
-    // The remainder of the division is exact, since s_hi has 17 bits and denominator_hi 26.
-    const double inverse = 1 / (m + c), s = (m - c) * inverse, s_hi = leading_bits<17>(s);
-    const double denominator_hi = leading_bits<26>(m + c), denominator_lo = m - (denominator_hi - c);
-    const double s_lo = (((m - c) - s_hi * denominator_hi) - s_hi * denominator_lo) * inverse;
-    const double z = s * s, fourth = z * z;
-    const double tail = s * fourth * (polynomial(even, fourth) + z * polynomial(odd, fourth));
-    const double cube_lo = s_lo * (3 * s_hi * s + s_lo * s_lo);  // s^3 - s_hi^3
-    const Sum linear = fast_two_sum(k * log_two.hi + log_centre[nearest].hi, 3 * s_hi);
-    const Sum cubic = fast_two_sum(linear.hi, s_hi * s_hi * s_hi);
-    const double rest = (tail + cube_lo) + (k * log_two.lo + log_centre[nearest].lo);
-    return fast_two_sum(cubic.hi, cubic.lo + (linear.lo + (3 * s_lo + rest)));
-}
-
 }  // namespace
 
-double exp(double x) { return exp_of_sum(x, 0); }
+// 2^k e^r with |r| <= ln(2) / 2. The series e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!) is cut off below 2^-57;
+// its even and odd powers are summed apart, side by side.
+double exp(double x) {
+    constexpr double even[] = {1.0 / 2, 1.0 / 24, 1.0 / 720, 1.0 / 40320, 1.0 / 3628800, 1.0 / 479001600};
+    constexpr double odd[] = {1.0 / 6, 1.0 / 120, 1.0 / 5040, 1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800};
+    constexpr double inverse_ln2 = 0x1.71547652b82fep+0;
+    if (!(x < 710)) return x + infinity;  // nan stays nan
+    if (x < -746) return 0;
+    const double k = std::floor(x * inverse_ln2 + 0.5);
+    const Sum r = fast_two_sum(x - k * ln2_hi, -k * ln2_lo);
+    const double square = r.hi * r.hi;
+    const double tail = square * (polynomial(even, square) + r.hi * polynomial(odd, square));
+    const Sum linear = fast_two_sum(1, r.hi);
+    const double mantissa = linear.hi + (linear.lo + (r.lo * linear.hi + tail));
+    // Two steps, since 2^k alone can be too small or too large for a double although the result is not.
+    const int exponent = static_cast<int>(k), half = exponent / 2;
+    return mantissa * power_of_two(half) * power_of_two(exponent - half);
+}
 
 double log(double x) {
     if (!(x > 0)) return x == 0 ? -infinity : nan;
@@ -121,15 +85,7 @@ double log(double x) {
     return k * ln2_hi + (f - (half_square - (s * (half_square + R) + k * ln2_lo)));
 }
 
-double pow(double x, double y) {
-    if (x == 1 || y == 0) return 1;
-    if (!(x >= 0) || y != y) return nan;
-    // No double but 1 has |ln x| < 2^-54, so these powers all overflow or underflow.
-    if (x == 0 || x == infinity || std::fabs(y) > 0x1p64) return (x > 1) == (y > 0) ? infinity : 0;
-    constexpr Sum two_thirds = {2.0 / 3, 2.0 / 3 * 0x1p-54};
-    const Sum exponent = product(three_halves_log(x), product({y, 0}, two_thirds));
-    return exp_of_sum(exponent.hi, exponent.lo);
-}
+double pow(double x, double y) { return x == 1 || y == 0 ? 1 : exp(y * log(x)); }
 
 SineCosine sincos_turns(double turns) {
     // (sin x - x) / x^3 and (cos x - 1 + x^2/2) / x^4 as polynomials in x^2, cut off below 2^-62 for |x| <= pi/4.

@@ -60,8 +60,8 @@ double exp(double x);
 // Natural logarithm. Error at most 1 ulp. log(0) = -inf, log(inf) = inf; log of a negative number or of nan is nan.
 double log(double x);
 
-// x^y for x >= 0 (nan for x < 0). Error at most 1 ulp. pow(x, 0) = 1 and pow(1, y) = 1, even for nan; pow(0, y) is 0 or
-// inf by the sign of y. A power that is a double is returned exactly: pow(x, 1) = x, pow(81, 0.75) = 27.
+// x^y = e^(y ln x) for x >= 0 (nan for x < 0). Error at most 1 + 3 |y ln x| ulp. pow(x, 0) = 1 and pow(1, y) = 1, even
+// for nan; pow(0, y) is 0 or inf by the sign of y.
 double pow(double x, double y);
 
 // Sine and cosine of an angle given in turns (1 turn = 2 pi radians), so that the reduction to an octant is exact.
