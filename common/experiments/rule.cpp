@@ -2,21 +2,39 @@
 
 #include "scene/input.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace bmc {
 namespace {
 
-void add_sample(Samples& samples, const InputRow& row, std::size_t columns) {
-    const std::vector<double>& numbers = row.numbers;
-    if (numbers.size() != columns || columns < 3 || columns > 5)
-        fail(row.line, formatted("%zu numbers; every line should be x y z, or every line x y z value", numbers.size()));
+constexpr double largest_number = 1e100;  // so that sums of squares are finite
+
+// White space or commas separate the numbers of a line; '#' begins a comment.
+std::vector<double> numbers_of(std::string line) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) numbers.push_back(parse_real(word, -largest_number, largest_number));
+    return numbers;
+}
+
+// Throws std::runtime_error where the numbers are none of a direction, with or without a value as the samples before.
+void add_sample(Samples& samples, const std::vector<double>& numbers) {
+    const std::size_t n = numbers.size(), before = samples.directions.size();
+    if (n < 3 || n > 5 || (before > 0 && (n == 4) == samples.values.empty()))
+        throw std::runtime_error(formatted("%zu numbers; every line should be x y z, or every line x y z value", n));
     const Vec3 direction{numbers[0], numbers[1], numbers[2]};
     if (!(std::fabs(length(direction) - 1) <= 1e-6))
-        fail(row.line, formatted("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
-    if (direction.y < 0) fail(row.line, formatted("the direction lies below the horizon: its y is %.9g", direction.y));
+        throw std::runtime_error(
+            formatted("the direction has length %.9g; it should be 1 within 1e-6", length(direction)));
+    if (direction.y < 0)
+        throw std::runtime_error(formatted("the direction lies below the horizon: its y is %.9g", direction.y));
+    if (before == max_process_samples)
+        throw std::runtime_error(formatted("there are more than %zu directions", before));
     samples.directions.push_back(direction);
-    if (columns == 4) samples.values.push_back(numbers[3]);
+    if (n == 4) samples.values.push_back(numbers[3]);
 }
 
 std::string matrix_block(const char* name, const Matrix& matrix) {
@@ -31,8 +49,14 @@ std::string matrix_block(const char* name, const Matrix& matrix) {
 
 Samples read_samples(std::istream& in) {
     Samples samples;
-    const std::vector<InputRow> rows = read_rows(in, max_process_samples);
-    for (const InputRow& row : rows) add_sample(samples, row, rows[0].numbers.size());
+    std::size_t line = 1;
+    try {
+        for (std::string text; std::getline(in, text); ++line)
+            if (const std::vector<double> numbers = numbers_of(text); !numbers.empty()) add_sample(samples, numbers);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error("line " + std::to_string(line) + ": " + error.what());
+    }
+    if (samples.directions.empty()) throw std::runtime_error("there are no numbers in it");
     return samples;
 }
 

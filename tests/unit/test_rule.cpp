@@ -64,21 +64,17 @@ TEST_CASE("directions are read with or without values, between white space or co
     CHECK(read("0,1,0\n0, 1, 0\n0, .6,.8\n").directions.size() == 3);
 }
 
-TEST_CASE("directions are read from what rule prints, after the mark of UTF-8, and between bare CRs") {
+TEST_CASE("directions are read from what rule prints") {
     const Samples own = read("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n");
     CHECK(own.directions.size() == 2);
     CHECK(own.values.empty());
-    CHECK(read("\xEF\xBB\xBF"
-               "0 1 0\n")
-              .directions.size() == 1);
-    CHECK(read("0 1 0\r0.6 0.8 0\r\n0 1 0").directions.size() == 3);
-    CHECK(contains(reading_error("0 1 0\r0 1 0\r\n\r\n0 1 x"), "line 4: "));
 }
 
 TEST_CASE("a line that is no direction is named") {
-    const std::string range = "is not a number from -1e+100 to 1e+100; a comment begins with #";
+    const std::string range = "is not a number from -1e+100 to 1e+100";
     CHECK(reading_error("0 1 0\n\n0 1 x\n") == "line 3: 'x' " + range);
-    CHECK(reading_error("0 1 nan\n") == "line 1: 'nan' " + range);
+    for (const std::string word : {"nan", "inf", "1e999", "0x1"})
+        CHECK(reading_error("0 1 " + word + "\n") == "line 1: '" + word + "' " + range);
     for (const char* text : {"0 1 0\n0 1 0 5\n", "0 1\n0 1\n", "0 1 0 1 1 1\n"})
         CHECK(contains(reading_error(text), " numbers; every line should be x y z, or every line x y z value"));
     CHECK(reading_error("# up\n0 1.000002 0\n") ==
@@ -89,8 +85,7 @@ TEST_CASE("a line that is no direction is named") {
     std::string rows;
     for (int i = 0; i < 4096; ++i) rows += "0 1 0\n";
     CHECK(read(rows).directions.size() == 4096);
-    CHECK(reading_error(rows + "0 1 0\n") == "line 4097: there are more than 4096 rows of numbers");
-    CHECK(reading_error(std::string(5000, ' ')) == "line 1: it is longer than 4095 characters");
+    CHECK(reading_error(rows + "0 1 0\n") == "line 4097: there are more than 4096 directions");
 }
 
 TEST_CASE("values are integrated with an error bar, the process's own") {
