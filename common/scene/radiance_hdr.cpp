@@ -15,11 +15,7 @@ namespace {
 
 class RadianceReader {
 public:
-    explicit RadianceReader(std::streambuf& bytes) : bytes_(bytes) {
-        scale_[136] = 1;
-        for (std::size_t e = 136; e < 255; ++e) scale_[e + 1] = 2 * scale_[e];
-        for (std::size_t e = 136; e > 1; --e) scale_[e - 1] = scale_[e] / 2;
-    }
+    explicit RadianceReader(std::streambuf& bytes) : bytes_(bytes) {}
 
     EnvironmentMap read() {
         read_header();
@@ -81,23 +77,29 @@ private:
         return static_cast<unsigned char>(c);
     }
 
+    // No encoder writes the mantissas 1, 1, 1 for a colour: the largest is at least 128.
     Rgbe texel() {
         Rgbe rgbe;
         for (unsigned char& component : rgbe) component = byte();
+        if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1)
+            fail("runs of the oldest kind are not supported; save the picture again by another program");
         return rgbe;
     }
 
     // Exact: 8 bits of mantissa, and 2^-135 is 2^14 times the smallest float.
     void append(const Rgbe& rgbe) {
-        for (std::size_t i = 0; i < 3; ++i) rgb_.push_back(static_cast<float>(rgbe[i]) * scale_[rgbe[3]]);
+        const float scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0f, rgbe[3] - 136);
+        for (std::size_t i = 0; i < 3; ++i) rgb_.push_back(static_cast<float>(rgbe[i]) * scale);
     }
 
-    // New scanlines announce themselves by a first texel (2, 2, high, low) that no encoder writes: the largest mantissa
-    // is always at least 128.
+    // Run-length coded scanlines begin with a texel (2, 2, high, low), which is no colour either. All others are flat.
     void read_scanline() {
         const Rgbe first = texel();
-        const bool announces_runs = first[0] == 2 && first[1] == 2 && first[2] < 128;
-        if (!announces_runs || width_ < 8 || width_ > 32767) return read_flat_or_old(first);
+        if (first[0] != 2 || first[1] != 2 || first[2] >= 128 || width_ < 8 || width_ > 32767) {
+            append(first);
+            for (int x = 1; x < width_; ++x) append(texel());
+            return;
+        }
         const int announced = first[2] * 256 + first[3];
         if (announced != width_)
             fail("the scanline announces " + std::to_string(announced) + " texels instead of " +
@@ -118,32 +120,10 @@ private:
         }
     }
 
-    // A texel (1, 1, 1, n) repeats the one before it n times; if such texels follow each other, they are the digits of
-    // the count in base 256, the lowest first.
-    void read_flat_or_old(Rgbe rgbe) {
-        for (int x = 0, shift = 0;; rgbe = texel()) {
-            if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) {
-                if (x == 0) fail("the scanline begins with a run, which has no texel to repeat");
-                if (shift > 24 || std::int64_t{rgbe[3]} << shift > width_ - x)
-                    fail("a run goes past the end of the scanline");
-                const int count = rgbe[3] << shift;
-                for (int i = 0; i < 3 * count; ++i) rgb_.push_back(rgb_[rgb_.size() - 3]);
-                x += count;
-                shift += 8;
-            } else {
-                append(rgbe);
-                ++x;
-                shift = 0;
-            }
-            if (x == width_) return;
-        }
-    }
-
     static constexpr int end_of_file = std::char_traits<char>::eof();
 
     std::streambuf& bytes_;
     int row_ = -1, width_ = 0, height_ = 0;
-    std::array<float, 256> scale_{};  // 2^(e - 136); 0 for e = 0
     std::vector<Rgbe> scanline_;
     std::vector<float> rgb_;
 };
@@ -159,12 +139,10 @@ std::string to_radiance_hdr(const EnvironmentMap& map) {
     const float* const end = map.texels() + 3 * std::ptrdiff_t{map.width()} * map.height();
     for (const float* rgb = map.texels(); rgb != end; rgb += 3) {
         const double largest = std::max({rgb[0], rgb[1], rgb[2]});
-        // largest = m 2^e with m in [1/2, 1), from the bits of the double; one more where the mantissa rounds to 256.
-        int e = static_cast<int>(portable::bits_of(largest) >> 52) - 1022;
-        const auto mantissa_scale = [&] { return portable::from_bits(static_cast<std::uint64_t>(1023 + 8 - e) << 52); };
-        if (e > -1022 && largest * mantissa_scale() >= 255.5) ++e;
-        e = std::clamp(e, -127, 127);
-        for (int i = 0; i < 3; ++i) append(std::min(std::floor(rgb[i] * mantissa_scale() + 0.5), 255.0));
+        int e;  // largest = m 2^e with m in [1/2, 1); one more where the mantissa rounds to 256
+        if (std::frexp(largest, &e) * 256 >= 255.5) ++e;
+        e = largest > 0 ? std::clamp(e, -127, 127) : -127;
+        for (int i = 0; i < 3; ++i) append(std::min(std::floor(std::ldexp(double{rgb[i]}, 8 - e) + 0.5), 255.0));
         append(e + 128);
     }
     return bytes;
