@@ -6,6 +6,7 @@
 #include "command_line.h"
 #include "experiments/models.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,27 +22,12 @@ constexpr std::pair<const char*, SampleSet> sample_set_names[] = {{"random", Sam
 // of one direction.
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 
-struct StabilityRow {
-    SampleSet set;
-    std::size_t samples;
-    Model model;
-    double noise;
-    bool refused = false;  // the covariance matrix; then the numbers below are 0
-
-    // The largest difference from the weights of four turned sets, over the largest weight; infinite if one is refused.
-    double weight_error = 0;
-
-    // For up to 1000 samples, since the inverse of more takes long: |Q| |Q^-1| by row_sum_norm, and the same difference
-    // for the weights Q^-1 z.
-    double condition = 0, inverse_error = 0;
-};
-
-StabilityRow examine_stability(SampleSet set, std::size_t n, const Model& model, double noise);
+// The largest difference of the weights from those of four turned sets, over the largest weight; infinite if a turned
+// set is refused, nothing if the set itself is.
+std::optional<double> weight_error(const std::vector<Vec3>& directions, const Model& model, double noise);
 
 struct Stability {
-    bool all = false;
-
-    std::vector<Option> options();
+    std::vector<Option> options() { return {}; }
     std::string report() const;
 };
 }  // namespace bmc

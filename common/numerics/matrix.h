@@ -3,8 +3,6 @@
 
 #include "numerics/portable_math.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -32,17 +30,6 @@ private:
     std::size_t rows_, columns_;
     std::vector<double> elements_;
 };
-
-// |A|, the largest sum of absolute values in a row: the norm that the maximum norm of vectors induces.
-inline double row_sum_norm(const Matrix& a) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.rows(); ++i) {
-        double sum = 0;
-        for (std::size_t j = 0; j < a.columns(); ++j) sum += std::fabs(a(i, j));
-        largest = std::max(largest, sum);
-    }
-    return largest;
-}
 
 // The symmetric matrix whose upper triangle is given.
 inline Matrix symmetric(Matrix upper) {

@@ -14,6 +14,17 @@ Matrix product_with_transpose(const Matrix& a, const Matrix& b) {  // a^T b
     return product;
 }
 
+// |A|, the largest sum of absolute values in a row: the norm that the maximum norm of vectors induces.
+double row_sum_norm(const Matrix& a) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.rows(); ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < a.columns(); ++j) sum += std::fabs(a(i, j));
+        largest = std::max(largest, sum);
+    }
+    return largest;
+}
+
 // B^T B + I for a random B: condition number of a few n.
 Matrix random_spd(std::size_t n, std::uint64_t seed) {
     Random random(seed, n);
@@ -63,13 +74,12 @@ std::string bits_of(const Matrix& a) {
     return {reinterpret_cast<const char*>(a.row(0)), a.rows() * a.columns() * sizeof(double)};
 }
 
-// What becomes of a matrix: the bits of the factor and of the inverse, or the pivot and the text of the refusal.
+// What becomes of a matrix: the bits of the factor, or the pivot and the text of the refusal.
 std::string outcome(const Matrix& a, bool plain) {
     std::string result;
     plain_loops = plain;
     try {
-        const Cholesky cholesky(a);
-        result = bits_of(cholesky.upper()) + bits_of(cholesky.inverse());
+        result = bits_of(Cholesky(a).upper());
     } catch (const NotPositiveDefinite& error) {
         result = formatted("refused: %zu, %a, %s", error.index, error.value, error.what());
     }
@@ -82,7 +92,7 @@ bool same_outcome(const Matrix& a) { return outcome(a, true) == outcome(a, false
 
 }  // namespace
 
-TEST_CASE("the fast twin has the bits of the plain text, for sizes with every remainder and of several strips") {
+TEST_CASE("the fast twin has the bits of the plain text, for sizes with every remainder") {
     std::vector<std::size_t> sizes{127, 128, 129, 200, 512, 513, 577};
     for (std::size_t n = 1; n <= 100; ++n) sizes.push_back(n);
     for (const std::size_t n : sizes) {
@@ -120,20 +130,6 @@ TEST_CASE(
             CHECK(outcome(a, true) == refusal);
             CHECK(outcome(a, false) == refusal);
         }
-}
-
-TEST_CASE("the columns of the inverse are what solve returns for the unit vectors, bit for bit") {
-    for (const Matrix& a : test_matrices()) {
-        const Cholesky cholesky(a);
-        const Matrix inverse = cholesky.inverse();
-        Matrix solved(a.rows(), a.rows());
-        for (std::size_t j = 0; j < a.rows(); ++j) {
-            std::vector<double> e(a.rows());
-            e[j] = 1;
-            solved.set_column(j, cholesky.solve(e));
-        }
-        CHECK(bits_of(inverse) == bits_of(solved));
-    }
 }
 
 TEST_CASE("cholesky reproduces the matrix: |A - L L^T| / (n eps |A|) < 10, LAPACK's ratio") {
