@@ -168,9 +168,9 @@ std::function<void(double)> terminal_progress(const char* name) {
     return [name, shown = 0](double done) mutable {
         const int percent = static_cast<int>(100 * done);
         if (percent == 100)
-            std::fprintf(stderr, "\r%*s\r", static_cast<int>(std::strlen(name)) + 7, "");
+            std::fprintf(stderr, "%*s\r", static_cast<int>(std::strlen(name)) + 7, "");
         else if (percent > shown)
-            std::fprintf(stderr, "\r%s: %3d %%", name, percent);
+            std::fprintf(stderr, "%s: %3d %%\r", name, percent);
         shown = percent;
     };
 }
