@@ -3,7 +3,7 @@
 
 #include "command_line.h"
 #include "numerics/plain_loops.h"
-#include "predicted_picture.h"
+#include "prediction.h"
 #include "scene/desert.h"
 
 #include <algorithm>
@@ -76,12 +76,12 @@ std::string help_text() {
 Request parse(int argc, char** argv) {
     Request request;
     request.settings.threads = std::max(1u, std::thread::hardware_concurrency());
+    request.settings.progress = terminal_progress("renderer");
     const std::vector<std::string> rest =
         parse_options(argc, argv, join({method_options(request), process_options(request), picture_options(request)}));
     if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     require_possible(request.settings);
-    require_predictable(request.prediction, request.settings);
     return request;
 }
 
@@ -90,8 +90,7 @@ std::string run(const Request& request) {
     require_file_output("./renderer > out.ppm");
     const PictureSettings& settings = request.settings;
     const EnvironmentMap environment = load_environment(request.environment, settings.threads);
-    const Image image =
-        asked_picture(environment, settings, request.prediction, request.format, terminal_progress("renderer"));
+    const Image image = asked_picture(environment, settings, request.prediction, request.format);
     return request.format == Format::ppm ? to_ppm(image) : to_pfm(image);
 }
 

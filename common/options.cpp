@@ -28,7 +28,7 @@ ModelOptions::ModelOptions(ModelSettings& s)
               real_option("noise", "X",
                           "standard deviation of a sample's error, divided by the amplitude (default 0.01)", s.noise,
                           {0, 1000}),
-              choice_option("known", "known part of the integrand: ", known_part_names, s.known,
+              choice_option("known", "known part of the integrand: ", process_known_names, s.known,
                             ", for sobolev with smoothness 1.5")},
       placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
       seed(seed_option("of the random numbers (default 1)", s.seed)) {}

@@ -7,17 +7,7 @@
 #include <memory>
 
 namespace bmc {
-// What is known of the integrand L(w) V(w) cos(theta): nothing, the cosine, or the light and the cosine.
-enum class Known { nothing, cosine, light };
-constexpr std::pair<const char*, Known> known_names[] = {
-    {"nothing", Known::nothing}, {"cosine", Known::cosine}, {"light", Known::light}};
-
-struct PictureSettings : RenderSettings {
-    bool light_known = false;
-
-    void set_known(Known part);
-    Known known_part() const;
-};
+using PictureSettings = RenderSettings;
 
 // Monte Carlo takes one of a process's options: that the light is known.
 struct PictureOptions : RenderOptions {
@@ -33,7 +23,9 @@ struct EnvironmentLight {
 // The environment with its averages, which so many threads make.
 EnvironmentLight prefilter(const EnvironmentMap& environment, unsigned threads = 1);
 
-// The image of linear radiance. Throws what the Gaussian processes throw.
-Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
-              const Progress& progress = nullptr);
+// The colour of each point of a picture. Scene and light must outlive it. Throws what the Gaussian processes throw.
+Shade shade_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings);
+
+// The image of linear radiance, throwing alike.
+Image picture(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings);
 }  // namespace bmc

@@ -27,7 +27,7 @@ std::vector<Integrand> practice_integrands() {
             environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()))};
 }
 
-std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, KnownPart known) {
+std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> values;
     for (const Vec3& direction : directions)
         values.push_back(integrand.value(direction) / known_part(known, direction));

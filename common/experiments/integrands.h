@@ -31,7 +31,7 @@ double dense_quadrature(const Integrand& integrand);
 
 // The unknown factor of the integrand at each direction: its value divided by the known part.
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions,
-                           KnownPart known = KnownPart::nothing);
+                           Known known = Known::nothing);
 
 // The rule's estimate of the integral.
 double apply(const QuadratureRule& rule, const Integrand& integrand);

@@ -20,7 +20,7 @@ PictureSettings settings_of(Method method, std::size_t pool, Placement placement
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    settings.set_known(known);
+    settings.known = known;
     return settings;
 }
 
@@ -62,17 +62,19 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
     RootMeanSquare rmse, brightness, predicted;
     double correlation = 0, covered = 0;
     const std::uint64_t first = settings.seed, seeds = seeds_of(settings);
-    const std::uint64_t predictions = predicts_error(settings) ? 4 : 0;
+    std::optional<Image> before;
     for (; settings.seed != first + seeds; ++settings.seed) {
-        const Image image = picture(sphere_scene(), light, settings);
+        Image image = picture(sphere_scene(), light, settings);
         const ImageError error = image_error(image, truth);
         rmse.add(error.rmse);
         brightness.add(error.brightness);
         correlation += error.correlation / static_cast<double>(seeds);
-        if (settings.seed - first >= predictions) continue;
-        const Image errors = predicted_picture(sphere_scene(), light, settings);
-        predicted.add(root_mean_square(errors, object_pixels(sphere_scene(), {settings.width, settings.height})));
-        covered += coverage(image, truth, errors) / static_cast<double>(predictions);
+        if (before) {
+            const Image errors = standard_errors(sphere_scene(), *before, image);
+            predicted.add(root_mean_square(sphere_scene(), errors));
+            covered += coverage(image, truth, errors) / static_cast<double>(seeds - 1);
+        }
+        before = std::move(image);
     }
     return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
             covered,  correlation,  brightness.value(),    0};
@@ -80,11 +82,7 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
 
 std::string name_columns(const PictureSettings& s) {
     return formatted("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool,
-                     name_of(s.placement, placement_names), name_of(s.known_part(), known_names));
-}
-
-std::string prediction_columns(const PictureCost& row) {
-    return row.predicted > 0 ? formatted(" %10.5f %6.3f", row.predicted, row.coverage) : "          -      -";
+                     name_of(s.placement, placement_names), name_of(s.known, known_names));
 }
 
 }  // namespace
@@ -158,10 +156,9 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         const PictureCost& mc = *std::find_if(rows.begin(), rows.end(),
                                               [&](const PictureCost& first) { return first.settings.samples == n; });
         const double gain = mc.rmse * mc.rmse / (row.rmse * row.rmse);
-        text += name_columns(row.settings) + formatted(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", n, row.rmse,
-                                                       row.rmse_error, row.correlation, row.brightness,
-                                                       static_cast<double>(n) * gain);
-        text += prediction_columns(row);
+        text += name_columns(row.settings) + formatted(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g %10.5f %6.3f", n,
+                                                       row.rmse, row.rmse_error, row.correlation, row.brightness,
+                                                       static_cast<double>(n) * gain, row.predicted, row.coverage);
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command_line.h"
-#include "predicted_picture.h"
+#include "prediction.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct PictureCost {
     PictureSettings settings;
     double rmse;                   // of linear radiance, over the pixels that show an object, all channels and seeds
     double rmse_error;             // standard error of rmse
-    double predicted, coverage;    // RMSE that pictures predict, share of errors within two predicted ones; 0 if none
+    double predicted, coverage;    // RMSE that two pictures predict, share of errors within two predicted ones
     double correlation;            // of the errors of horizontally neighbouring pixels, mean over the seeds
     double brightness;             // root mean square over the seeds of ImageError::brightness
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed

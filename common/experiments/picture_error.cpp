@@ -14,7 +14,7 @@ Truth dense_truth(const EnvironmentLight& light, PictureSettings settings, std::
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = samples;
-    settings.set_known(Known::light);
+    settings.known = Known::light;
     return truth_of(picture(sphere_scene(), light, settings));
 }
 

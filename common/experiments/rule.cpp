@@ -14,6 +14,7 @@ constexpr double largest_number = 1e100;  // so that sums of squares are finite
 // White space or commas separate the numbers of a line; '#' begins a comment.
 std::vector<double> numbers_of(std::string line) {
     std::replace(line.begin(), line.end(), ',', ' ');
+    std::replace(line.begin(), line.end(), '\0', '?');  // which would end an error's text
     std::istringstream words(line.substr(0, line.find('#')));
     std::vector<double> numbers;
     for (std::string word; words >> word;) numbers.push_back(parse_real(word, -largest_number, largest_number));
@@ -60,7 +61,7 @@ Samples read_samples(std::istream& in) {
     return samples;
 }
 
-std::string rule_report(const GaussianProcess& process, KnownPart known, const std::vector<double>& values) {
+std::string rule_report(const GaussianProcess& process, Known known, const std::vector<double>& values) {
     std::string text = "#       x         y         z          z_j       weight\n";
     double sum = 0;
     std::size_t negative = 0;
@@ -72,7 +73,7 @@ std::string rule_report(const GaussianProcess& process, KnownPart known, const s
         sum += weight;
         negative += weight < 0;
     }
-    const bool cosine = known == KnownPart::cosine;
+    const bool cosine = known != Known::nothing;
     text += formatted("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
                       cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
     if (!values.empty())

@@ -18,7 +18,7 @@ Samples read_samples(std::istream& in);
 
 // Directions, z and weights; the weights' sum, whose truth is known; with values their integral, amplitude and standard
 // error.
-std::string rule_report(const GaussianProcess& process, KnownPart known, const std::vector<double>& values = {});
+std::string rule_report(const GaussianProcess& process, Known known, const std::vector<double>& values = {});
 
 struct Rule {
     std::size_t samples = 40;

@@ -69,7 +69,7 @@ std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
 
 const char* const meaning =
     "# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its\n"
-    "# standard error; predicted: the rmse that 4 pictures predict; within: the share of their errors within two\n"
+    "# standard error; predicted: the rmse that two of the pictures predict; within: the share of errors within two\n"
     "# predicted ones; brightness: root mean square of the mean's relative error; correlation: of the errors of\n"
     "# neighbouring pixels, less their mean; mc_samples: samples with which mc has this rmse.\n";
 const char* const measured =
@@ -129,8 +129,9 @@ std::string Tradeoff::report() const {
         if (i == 0)
             text = "# What an integral costs: " + names[i] + " above a tilted surface, Sobolev 3/2, noise 0.01.\n" +
                    integral_report(integral_costs(environment_integrand(light), costs.seed, costs.timed), costs.timed);
-        const double count = static_cast<double>(names.size()), begin = static_cast<double>(i) / count;
-        const Progress share = part_of(progress, begin, begin + 1 / count);
+        const auto share = [&, count = static_cast<double>(names.size())](double done) {
+            if (progress) progress((static_cast<double>(i) + done) / count);
+        };
         text += "\n\n# What a picture costs: the sphere scene, " +
                 formatted("%d x %d pixels, ", costs.size, costs.size) + "under " + names[i] + ".\n" + meaning +
                 (costs.timed ? measured : "");

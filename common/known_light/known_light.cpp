@@ -15,19 +15,7 @@ std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples
 RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light) {
     const std::size_t sun = sun_samples(light, settings.samples);
     settings.samples = settings.samples > sun ? settings.samples - sun : 1;
-    settings.known = KnownPart::cosine;
     return settings;
-}
-
-KnownLightRule known_light_rule(const QuadratureRule& rule, const PrefilteredEnvironment& light) {
-    const double share = 2 * portable::pi / static_cast<double>(rule.weights.size());
-    KnownLightRule known{{cosine_rule(rule)}, {}};
-    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-        double& weight = known.directions.weights[i];
-        known.caps.add(light.table(std::clamp(weight / rule.directions[i].y, share / 4, share * 4)));
-        weight = std::max(weight, 0.0);
-    }
-    return known;
 }
 
 void Quotient::add(Color light, double visibility) {
@@ -36,55 +24,43 @@ void Quotient::add(Color light, double visibility) {
 }
 
 Color Quotient::fraction() const {
-    const auto of = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
+    const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
     return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};
 }
 
-Color visible_sky(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame) {
-    if (!plain_loops) return visible_sky_fast(scene, hit, rule, frame);
+Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const CosineRule& rule,
+                  const Frame& frame) {
+    if (!plain_loops) return visible_sky_fast(scene, means, hit, rule, frame);
     Quotient sky;
-    for (std::size_t i = 0; i < rule.directions.size(); ++i) {
-        const Direction direction = frame.to_world(rule.directions.direction(i));
-        sky.add(rule.directions.weights[i] * rule.caps.radiance(i, direction), !is_shadowed(scene, hit, direction));
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+        const Direction direction = frame.to_world(rule.direction(i));
+        sky.add(rule.weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
     }
     return sky.fraction();
 }
 
-VisibleSun visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, std::size_t rays,
-                       Random random) {
+Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, std::size_t rays,
+                  Random& random) {
     Quotient sun;
-    std::optional<bool> last;
-    double changes = 0;
     for (std::size_t j = 0; j < rays; ++j) {
         const double stratum = static_cast<double>(j) + random.uniform();
         const Sun::Ray& ray = light.sun().ray(stratum / static_cast<double>(rays));
         const double cosine = dot(hit.normal, ray.direction);
-        if (cosine <= 0) continue;
-        const bool passes = !is_shadowed(scene, hit, ray.direction);
-        sun.add(cosine * ray.colour, passes);
-        changes += passes != last.value_or(passes);
-        last = passes;
+        if (cosine > 0) sun.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
     }
-    return {sun.fraction(), changes};
+    return sun.fraction();
 }
 
-Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings,
-                            const Progress& progress) {
+Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings) {
     const RenderSettings sky = sky_settings(settings, light);
-    const std::shared_ptr<const Covariance> covariance = settings.make_covariance();
-    const auto make = [=, &light](DirectionSet set) {
-        const QuadratureRule rule = sky.method == Method::mc
-                                        ? monte_carlo_rule(std::move(set))
-                                        : bayesian_rule(*covariance, sky.noise, std::move(set.directions), sky.known);
-        return std::make_shared<const KnownLightRule>(known_light_rule(rule, light));
-    };
-    const auto rules = std::make_shared<const PixelRules>(sky, make, progress);
-    return [=, &scene, &light, rays = sun_samples(light, settings.samples)](const Hit& hit, Random& random) {
+    const auto rules = std::make_shared<const PixelRules>(sky);
+    const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(sky.samples));
+    const std::size_t rays = sun_samples(light, settings.samples);
+    return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(settings, x, y);
         const auto [rule, frame] = rules->rule_for(hit.normal, random);
-        const auto& known = static_cast<const KnownLightRule&>(*rule);
-        const Color irradiance =
-            light.sky_irradiance(hit.normal) * visible_sky(scene, hit, known, frame) +
-            light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, rays, random).fraction;
+        const Color irradiance = light.sky_irradiance(hit.normal) * visible_sky(scene, means, hit, *rule, frame) +
+                                 light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, rays, random);
         return 1 / portable::pi * (hit.albedo * irradiance);
     };
 }

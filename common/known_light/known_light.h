@@ -2,8 +2,8 @@
 // know the visibility V, 0 or 1. For a Lambertian surface with the normal n
 //     L_o = (albedo / pi) integral over H of V L cos(theta) dw
 //         ~ (albedo / pi) E(n) sum of w_j L_j V_j / sum of w_j L_j,
-// where w_j are the weights of a rule for the known part cos(theta), none below 0. L_j is the mean of L over a cap
-// around sample j; its solid angle is the sample's own, w_j / cos(theta_j). For a constant V the quotient is exact.
+// where w_j are the weights of a rule for the known part cos(theta). L_j is the mean of L over a cap around sample j,
+// whose solid angle is 2 pi / N. For a constant V the quotient is exact.
 // Means over the solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance
 // sampling", Computer Graphics Forum 27(4), 2008.
 //
@@ -20,37 +20,26 @@ namespace bmc {
 // How many of a pixel's samples go to the sun: none where there is none, otherwise one at least.
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
 
-// The settings of the rule for the sky: without the sun's samples, the cosine known.
+// The settings of the rule for the sky: without the sun's samples.
 RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light);
-
-// A rule with weights for the quotient, and for each direction the means of the light over caps of about its solid
-// angle. That lies between a quarter of an even share of the hemisphere and four times as much, also for a negative
-// weight.
-struct KnownLightRule : PixelRule {
-    Caps caps;
-};
-KnownLightRule known_light_rule(const QuadratureRule& rule, const PrefilteredEnvironment& light);
 
 // The sums of a quotient: of all light, and of what arrives.
 struct Quotient {
     Color all, visible;
 
     void add(Color light, double visibility);  // 0 or 1
-    Color fraction() const;                    // 1 for a colour that no ray carries
+    Color fraction() const;                    // in [0, 1]; 1 for a colour that no ray carries
 };
 
 // The fraction of each colour of the sky's light that passes the other object.
-Color visible_sky(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame);
+Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const CosineRule& rule,
+                  const Frame& frame);
 
-// The same of the sun's light, by so many rays; and how often the visibility of a ray and of the next one differ.
-struct VisibleSun {
-    Color fraction;
-    double changes;
-};
-VisibleSun visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, std::size_t rays,
-                       Random random);
+// The same of the sun's light; rays: how many.
+Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, std::size_t rays,
+                  Random& random);
 
-// L_o, linear RGB, of a picture by these settings. Scene and light must outlive it.
-Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings,
-                            const Progress& progress = nullptr);
+// The L_o, linear RGB, of a picture's points. Scene and light must outlive it. Throws what the Gaussian processes
+// throw.
+Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings);
 }  // namespace bmc

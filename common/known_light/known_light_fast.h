@@ -4,5 +4,6 @@
 #include "known_light/known_light.h"
 
 namespace bmc {
-Color visible_sky_fast(const Scene& scene, const Hit& hit, const KnownLightRule& rule, const Frame& frame);
+Color visible_sky_fast(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const CosineRule& rule,
+                       const Frame& frame);
 }  // namespace bmc

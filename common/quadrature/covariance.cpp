@@ -115,9 +115,9 @@ void Sobolev::replace_by_covariances(double* squared_chords, std::size_t count) 
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
-void Sobolev::replace_by_z(std::vector<double>& cos_thetas, KnownPart known) const {
+void Sobolev::replace_by_z(std::vector<double>& cos_thetas, Known known) const {
     require_cosines(cos_thetas);
-    if (known == KnownPart::cosine) {
+    if (known != Known::nothing) {
         require_closed_form(has_closed_form());
         for (double& element : cos_thetas) element = cosine_integral(element);
         return;
@@ -144,8 +144,8 @@ double Sobolev::rim_sum(double cos_theta) const {
     return rim_step * sum;
 }
 
-double Sobolev::integral_of_z(KnownPart known) const {
-    if (known != KnownPart::cosine) return integral_of_z_;
+double Sobolev::integral_of_z(Known known) const {
+    if (known == Known::nothing) return integral_of_z_;
     require_closed_form(has_closed_form());
     return 16.787120248013257721;  // of z cos(theta): quadrature to 20 digits
 }
@@ -168,8 +168,8 @@ void SquaredExponential::replace_by_covariances(double* squared_chords, std::siz
 
 // 2 pi times the sum over m of t_m B_m, with t_m the terms of the modified Bessel function I_1 and B_m the integral
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
-void SquaredExponential::replace_by_z(std::vector<double>& cos_thetas, KnownPart known) const {
-    require_closed_form(known == KnownPart::nothing);
+void SquaredExponential::replace_by_z(std::vector<double>& cos_thetas, Known known) const {
+    require_closed_form(known == Known::nothing);
     require_cosines(cos_thetas);
     for (double& element : cos_thetas) {
         const double squared_sine = (1 - element) * (1 + element);
@@ -184,8 +184,8 @@ void SquaredExponential::replace_by_z(std::vector<double>& cos_thetas, KnownPart
     }
 }
 
-double SquaredExponential::integral_of_z(KnownPart known) const {
-    require_closed_form(known == KnownPart::nothing);
+double SquaredExponential::integral_of_z(Known known) const {
+    require_closed_form(known == Known::nothing);
     double t = kappa_ / 2 * portable::exp(-kappa_), w = 1, sum = t * 0.5;
     for (int m = 1; m < kappa_ / 2 || sum + t != sum; ++m) {
         t *= kappa_ / (2 * m) * (kappa_ / (2 * m + 2));

@@ -14,10 +14,12 @@
 #include <vector>
 
 namespace bmc {
-// What is known of the integrand: p = 1, or p = cos(theta). Then the process models the incident radiance alone.
-enum class KnownPart { nothing, cosine };
-constexpr std::pair<const char*, KnownPart> known_part_names[] = {{"nothing", KnownPart::nothing},
-                                                                  {"cosine", KnownPart::cosine}};
+// What is known of the integrand L(w) V(w) cos(theta): nothing, the cosine, or the light and the cosine. A process
+// takes the last two alike: p = cos(theta), and it models what is left.
+enum class Known { nothing, cosine, light };
+constexpr std::pair<const char*, Known> known_names[] = {
+    {"nothing", Known::nothing}, {"cosine", Known::cosine}, {"light", Known::light}};
+constexpr std::pair<const char*, Known> process_known_names[] = {known_names[0], known_names[1]};
 
 class Covariance {
 public:
@@ -34,7 +36,7 @@ public:
     virtual void replace_by_covariances(double* squared_chords, std::size_t count) const = 0;
 
     // z of a direction, by its elevation cosine in [0, 1]; throws std::invalid_argument for one above 1.
-    double z(double cos_theta, KnownPart known = KnownPart::nothing) const {
+    double z(double cos_theta, Known known = Known::nothing) const {
         std::vector<double> one{cos_theta};
         replace_by_z(one, known);
         return one[0];
@@ -42,8 +44,8 @@ public:
 
     // In place: elevation cosines become z. This and zz throw std::invalid_argument for a known part with
     // which this covariance has no closed form.
-    virtual void replace_by_z(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const = 0;
-    virtual double integral_of_z(KnownPart known = KnownPart::nothing) const = 0;
+    virtual void replace_by_z(std::vector<double>& cos_thetas, Known known = Known::nothing) const = 0;
+    virtual double integral_of_z(Known known = Known::nothing) const = 0;
 };
 
 // k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s: the reproducing kernel of the Sobolev space of smoothness s on the sphere,
@@ -57,8 +59,8 @@ public:
     explicit Sobolev(double smoothness = 1.5);
 
     void replace_by_covariances(double* squared_chords, std::size_t count) const override;
-    void replace_by_z(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
-    double integral_of_z(KnownPart known = KnownPart::nothing) const override;
+    void replace_by_z(std::vector<double>& cos_thetas, Known known = Known::nothing) const override;
+    double integral_of_z(Known known = Known::nothing) const override;
 
 private:
     bool has_closed_form() const { return nodes_.empty(); }
@@ -77,8 +79,8 @@ public:
     explicit SquaredExponential(double length_scale = 1);
 
     void replace_by_covariances(double* squared_chords, std::size_t count) const override;
-    void replace_by_z(std::vector<double>& cos_thetas, KnownPart known = KnownPart::nothing) const override;
-    double integral_of_z(KnownPart known = KnownPart::nothing) const override;
+    void replace_by_z(std::vector<double>& cos_thetas, Known known = Known::nothing) const override;
+    double integral_of_z(Known known = Known::nothing) const override;
 
 private:
     double kappa_;      // 1 / l^2

@@ -44,7 +44,7 @@ void require_valid(double noise, const std::vector<Vec3>& directions) {
 // BEGIN SOLUTION z
 // Each z_j from the closed form that the covariance has for it, a function of the elevation cosine y of the direction;
 // rounding can leave y slightly above 1.
-std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions, KnownPart known) {
+std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions, Known known) {
     require_upper_hemisphere(directions);
     std::vector<double> z;
     z.reserve(directions.size());
@@ -68,8 +68,7 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
-GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                                 KnownPart known)
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known known)
     : directions_(std::move(directions)),
       z_(z_of(covariance, directions_, known)),
       cholesky_(covariance_matrix(covariance, noise, directions_)),

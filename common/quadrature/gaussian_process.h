@@ -20,7 +20,7 @@ public:
     // amplitude; it keeps Q positive definite where samples nearly coincide. Throws std::invalid_argument for other
     // arguments and for a known part for which the covariance has no closed form; NotPositiveDefinite.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                    KnownPart known = KnownPart::nothing);
+                    Known known = Known::nothing);
 
     const std::vector<Vec3>& directions() const { return directions_; }
 
@@ -64,7 +64,7 @@ private:
 
 // z of each direction. Throws std::invalid_argument for one below the horizon.
 std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions,
-                         KnownPart known = KnownPart::nothing);
+                         Known known = Known::nothing);
 
 // Q, n x n, its upper triangle only: what Cholesky reads.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);

@@ -17,12 +17,11 @@ QuadratureRule monte_carlo_rule(DirectionSet set) {
     const bool cosine = set.placement == Placement::cosine || set.placement == Placement::cosine_fibonacci;
     const double n = static_cast<double>(set.directions.size());
     std::vector<double> weights(set.directions.size(), (cosine ? portable::pi : 2 * portable::pi) / n);
-    return {std::move(set.directions), std::move(weights), cosine ? KnownPart::cosine : KnownPart::nothing};
+    return {std::move(set.directions), std::move(weights), cosine ? Known::cosine : Known::nothing};
 }
 // END SOLUTION
 
-QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                             KnownPart known) {
+QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known known) {
     const GaussianProcess process(covariance, noise, std::move(directions), known);
     return {process.directions(), process.weights(), known};
 }

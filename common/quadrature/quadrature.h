@@ -15,11 +15,11 @@ namespace bmc {
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;
-    KnownPart known = KnownPart::nothing;
+    Known known = Known::nothing;
 };
 
 // p(direction).
-inline double known_part(KnownPart known, Vec3 direction) { return known == KnownPart::cosine ? direction.y : 1; }
+inline double known_part(Known known, Vec3 direction) { return known == Known::nothing ? 1 : direction.y; }
 
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.
@@ -47,7 +47,7 @@ QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess; throws as it does.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                             KnownPart known = KnownPart::nothing);
+                             Known known = Known::nothing);
 
 // Settings of a rule, except its number of directions.
 struct ModelSettings {
@@ -55,7 +55,7 @@ struct ModelSettings {
     double smoothness = 1.5;  // of the family sobolev
     double length_scale = 1;  // of the other
     double noise = 0.01;
-    KnownPart known = KnownPart::nothing;
+    Known known = Known::nothing;
     Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 

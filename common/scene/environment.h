@@ -90,6 +90,10 @@ public:
     // A black map, and its rows for whoever paints it: finite radiance >= 0.
     EnvironmentMap(int width, int height);
     float* row(int y) { return &rgb_[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width())]; }
+    void set(int x, int y, Color radiance) {
+        float* rgb = row(y) + 3 * std::ptrdiff_t{x};
+        for (const double colour : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(colour);
+    }
 
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }

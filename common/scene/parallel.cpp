@@ -6,11 +6,6 @@
 #include <vector>
 
 namespace bmc {
-Progress part_of(const Progress& whole, double begin, double end) {
-    if (!whole) return nullptr;
-    return [=](double done) { whole(begin + (end - begin) * done); };
-}
-
 void for_each_row(int rows, unsigned threads, const std::function<void(int)>& row, const Progress& progress) {
     std::atomic<int> next{0}, done{0};
     const auto work = [&](const Progress& tell) {

@@ -10,18 +10,6 @@ std::size_t shared_count(const RenderSettings& settings) {
     return settings.method == Method::direct ? 0 : 1;
 }
 
-MakeRule practice_rules(const RenderSettings& settings) {
-    const auto as_shared = [](const QuadratureRule& rule) {
-        return std::make_shared<const PixelRule>(PixelRule{cosine_rule(rule)});
-    };
-    if (settings.method == Method::mc)
-        return [=](DirectionSet set) { return as_shared(monte_carlo_rule(std::move(set))); };
-    const std::shared_ptr<const Covariance> covariance = settings.make_covariance();
-    return [=, noise = settings.noise, known = settings.known](DirectionSet set) {
-        return as_shared(bayesian_rule(*covariance, noise, std::move(set.directions), known));
-    };
-}
-
 }  // namespace
 
 Random pixel_stream(const RenderSettings& settings, int x, int y) {
@@ -29,35 +17,26 @@ Random pixel_stream(const RenderSettings& settings, int x, int y) {
             static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
 }
 
-PixelRules::PixelRules(const RenderSettings& settings, const Progress& progress)
-    : PixelRules(settings, practice_rules(settings), progress) {}
-
-PixelRules::PixelRules(const RenderSettings& settings, MakeRule make, const Progress& progress)
-    : settings_(settings), make_(std::move(make)) {
+PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), covariance_(settings.make_covariance()) {
     constexpr std::uint64_t first_stream = std::uint64_t{1} << 63;
-    const std::size_t count = shared_count(settings);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < shared_count(settings); ++i) {
         Random random(settings.seed, first_stream + i);
-        owned_rules_.push_back(fresh_rule(random));
-        shared_rules_.emplace_back(std::shared_ptr<void>(), owned_rules_[i].get());
-        if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(count));
+        rules_.push_back(fresh_rule(random));
     }
+    for (const CosineRule& rule : rules_) shared_rules_.emplace_back(std::shared_ptr<void>(), &rule);
 }
 
-double PixelRules::share_of_work(const RenderSettings& settings) {
-    const double rules = static_cast<double>(shared_count(settings));
-    return rules / (rules + settings.height);
-}
-
-std::shared_ptr<const PixelRule> PixelRules::fresh_rule(Random& random) const {
-    return make_(place_directions(settings_.placement, settings_.samples, random));
+CosineRule PixelRules::fresh_rule(Random& random) const {
+    DirectionSet set = place_directions(settings_.placement, settings_.samples, random);
+    return cosine_rule(settings_.method == Method::mc
+                           ? monte_carlo_rule(std::move(set))
+                           : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions), settings_.known));
 }
 
 // BEGIN SOLUTION direct
 // A Gaussian process for every integral, on fresh directions from the pixel's random numbers.
 PlacedRule PixelRules::direct(Vec3 normal, Random& random) const {
-    const std::shared_ptr<const PixelRule> rule = fresh_rule(random);
-    return {rule, Frame(normal)};
+    return {std::make_shared<const CosineRule>(fresh_rule(random)), Frame(normal)};
 }
 // END SOLUTION
 
@@ -89,7 +68,7 @@ PlacedRule PixelRules::pool(Vec3 normal, double u, double turns) const {
 PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
     if (settings_.method == Method::direct) return direct(normal, random);
     if (settings_.method == Method::single) return single(normal);
-    if (shared_rules_.empty()) return {fresh_rule(random), Frame(normal)};
+    if (shared_rules_.empty()) return direct(normal, random);
     const double u = random.uniform();
     const double turns = random.uniform();
     return settings_.method == Method::pool ? pool(normal, u, turns) : rotated(normal, turns);

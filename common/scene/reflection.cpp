@@ -7,13 +7,12 @@ namespace bmc {
 // BEGIN SOLUTION shade
 // Weights get the factor cos(theta), unless it is the rule's known part: then they have it already.
 CosineRule cosine_rule(const QuadratureRule& rule) {
-    CosineRule cosine_rule;
+    CosineRule folded;
     for (std::size_t i = 0; i < rule.weights.size(); ++i) {
         const Vec3 direction = rule.directions[i];
-        const double cosine = rule.known == KnownPart::cosine ? 1 : direction.y;
-        cosine_rule.add(direction, rule.weights[i] * cosine);
+        folded.add(direction, rule.known == Known::nothing ? rule.weights[i] * direction.y : rule.weights[i]);
     }
-    return cosine_rule;
+    return folded;
 }
 // END SOLUTION
 

@@ -8,14 +8,16 @@
 #include "scene/pixel_rules.h"
 
 namespace bmc {
-// The image of linear radiance. Throws what the Gaussian processes throw.
-Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings,
-             const Progress& progress = nullptr);
+// The colour of a point that the camera sees in column x of row y. Many threads call it.
+using Shade = std::function<Color(const Hit&, int x, int y)>;
 
-// The colour of a point that the camera sees, from its pixel's stream of random numbers. Many threads call it.
-using Shade = std::function<Color(const Hit&, Random&)>;
+// L_o, linear RGB, by the method of the settings. Scene and environment must outlive it. Throws what the Gaussian
+// processes throw.
+Shade reflected_environment(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings);
 
 // The image of these colours; a pixel that shows no object shows the background.
-Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade,
-             const Progress& progress = nullptr);
+Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade);
+
+// The practice's picture: reflected_environment.
+Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings);
 }  // namespace bmc

@@ -44,12 +44,12 @@ void montecarlo() {
             apart += squared_distance(rule.directions[i], set.directions[i]);
         const auto [least, largest] = std::minmax_element(rule.weights.begin(), rule.weights.end());
         std::printf("%zu %zu %zu %.9g %.9g %.9g %s %s %s\n", n, rule.directions.size(), rule.weights.size(), sum,
-                    *least, *largest, rule.known == KnownPart::nothing ? "nothing" : "cosine",
+                    *least, *largest, rule.known == Known::nothing ? "nothing" : "cosine",
                     apart > 0 ? "others" : "given", digits_of_pi(sum / (2 * portable::pi)));
         explain_if(rule.directions.size() != n, "the rule has %zu directions, %zu were given", rule.directions.size(),
                    n);
         explain_if(apart > 0, "the rule's directions are not those that were given");
-        explain_if(rule.known != KnownPart::nothing, "the known part is the cosine; it has to be nothing");
+        explain_if(rule.known != Known::nothing, "the known part is the cosine; it has to be nothing");
     }
 }
 

@@ -57,7 +57,7 @@ Matrix bmc::covariance_matrix(const Covariance&, double, const std::vector<Vec3>
     return q;
 }
 
-std::vector<double> bmc::z_of(const Covariance&, const std::vector<Vec3>& directions, KnownPart) {
+std::vector<double> bmc::z_of(const Covariance&, const std::vector<Vec3>& directions, Known) {
     std::vector<double> z(directions.size(), 2.5);
     z[0] = first_z, z[1] = 3.25;
     return z;

@@ -43,7 +43,7 @@ QuadratureRule bmc::monte_carlo_rule(DirectionSet set) {
 
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {}
 
-GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart)
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known)
     : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(0) {
     taken.bmc.push_back(directions_.at(0).y);
     taken.noise = noise;
@@ -54,7 +54,7 @@ GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std
         weights_.push_back(numbered ? static_cast<double>(rules_made)
                                     : 2 * pi / n * (noise + i) / (taken.covariance + n / 2));
 }
-QuadratureRule bmc::bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, KnownPart) {
+QuadratureRule bmc::bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known) {
     const GaussianProcess process(covariance, noise, std::move(directions));
     return {process.directions(), process.weights()};
 }
@@ -157,7 +157,7 @@ struct Pixel {
         return all - std::floor(all);
     }
     Vec3 local(std::size_t i) const {
-        const Direction d = placed.frame.to_world(placed.rule->directions.direction(i));
+        const Direction d = placed.frame.to_world(placed.rule->direction(i));
         const Frame frame(normal);
         const Vec3 w{d.x, d.y, d.z};
         return {dot(w, frame.tangent), dot(w, frame.normal), dot(w, frame.bitangent)};
@@ -167,7 +167,7 @@ struct Pixel {
 // Whether every direction of every pixel was turned by so many times a number of the pixel.
 bool all_turned(const std::vector<Pixel>& pixels, double factor, double Pixel::*number) {
     for (const Pixel& pixel : pixels)
-        for (std::size_t i = 0; i < pixel.placed.rule->directions.size(); ++i) {
+        for (std::size_t i = 0; i < pixel.placed.rule->size(); ++i) {
             const double apart = pixel.turned(i) - factor * pixel.*number;
             if (!(std::fabs(apart - std::floor(apart + 0.5)) < 1e-3)) return false;
         }
@@ -192,11 +192,11 @@ const char* angle(const std::vector<Pixel>& pixels) {
 
 void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
-    for (const auto& shared : rules.shared()) numbers.emplace(shared->directions.weights.at(0), numbers.size());
+    for (const auto& shared : rules.shared()) numbers.emplace(shared.weights.at(0), numbers.size());
     std::map<std::size_t, std::pair<double, double>> chosen;  // the least and the largest u for which it is chosen
     bool by_turns = numbers.size() > 1;
     for (const Pixel& pixel : pixels) {
-        const auto number = numbers.find(pixel.placed.rule->directions.weights.at(0));
+        const auto number = numbers.find(pixel.placed.rule->weights.at(0));
         if (number == numbers.end()) throw std::runtime_error("the rule is none of shared_rules_");
         auto& [least, largest] = chosen.emplace(number->second, std::pair(pixel.u, pixel.u)).first->second;
         least = std::min(least, pixel.u), largest = std::max(largest, pixel.u);
@@ -226,7 +226,7 @@ void method() {
         const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 0.1 + u, turns - 0.5});
         pixels.push_back({u, turns, rules.rule_for(normal, random), normal});
         if (!pixels.back().placed.rule) throw std::runtime_error("a pixel has no rule");
-        const CosineRule& rule = pixels.back().placed.rule->directions;
+        const CosineRule& rule = *pixels.back().placed.rule;
         for (std::size_t j = 0; j < rule.size(); ++j)
             upright = upright && std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
         own = own && std::fabs(pixels.back().local(0).y - u) < 1e-3;
@@ -236,7 +236,7 @@ void method() {
                "not turned: rotated(turns) changes no frame, it returns one that is turned by a number of turns");
     explain_if(its == Method::direct && made != 2000, "%zu processes for 2000 pixels; every pixel has its own", made);
     explain_if(its != Method::direct && made > 0, "%zu new processes for 2000 pixels; take one of shared_rules_", made);
-    std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->directions.size());
+    std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->size());
     std::printf("# rules made for 2000 pixels: %zu\n", made);
     std::printf("# their up axis is the normal: %s\n", upright ? "yes" : "no");
     std::printf("# turned: %s\n", angle(pixels));

@@ -8,7 +8,7 @@
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
 #include "numerics/plain_loops.h"
-#include "predicted_picture.h"
+#include "prediction.h"
 #include "scene/desert.h"
 #include "scene/radiance_hdr.h"
 

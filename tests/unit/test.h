@@ -4,7 +4,7 @@
 #include "command_line.h"
 #include "experiments/picture_error.h"
 #include "numerics/plain_loops.h"
-#include "prediction/predicted_error.h"
+#include "prediction.h"
 #include "scene/desert.h"
 #include "scene/radiance_hdr.h"
 
@@ -179,17 +179,4 @@ inline Color plain_light(const Scene& scene, const EnvironmentMap& environment, 
         sum += rule.weights[i] * rule.directions[i].y / pi * environment.radiance(direction);
     }
     return hit.albedo * sum;
-}
-
-// Whether predicted errors fit a picture's: so it is with 20 seeds.
-inline void check_prediction(const Image& image, const Image& errors, const Truth& truth) {
-    const double count = object_pixels(sphere_scene(), {image.width(), image.height()});
-    const double ratio = root_mean_square(errors, count) / image_error(image, truth).rmse;
-    const double covered = coverage(image, truth, errors);
-    CAPTURE(ratio);
-    CAPTURE(covered);
-    CHECK(ratio > 0.85);
-    CHECK(ratio < 1.35);
-    CHECK(covered > 0.92);
-    CHECK(covered < 0.99);
 }

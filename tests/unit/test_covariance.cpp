@@ -10,7 +10,7 @@ TEST_CASE("z and zz agree with independent 40-digit quadrature to 2e-15, to 2e-1
     REQUIRE(rows.size() == 1 + 13);
     for (std::size_t row = 1; row < rows.size(); ++row) {
         const bool exponential = rows[row][0] == "squared_exponential";
-        const KnownPart known = rows[row][0] == "sobolev_cosine" ? KnownPart::cosine : KnownPart::nothing;
+        const Known known = rows[row][0] == "sobolev_cosine" ? Known::cosine : Known::nothing;
         const double parameter = std::stod(rows[row][1]);
         const auto covariance =
             make_covariance(exponential ? CovarianceFamily::squared_exponential : CovarianceFamily::sobolev, parameter);
@@ -43,7 +43,7 @@ TEST_CASE("z tends smoothly to its value on the equator") {
 }
 
 TEST_CASE("a covariance without a closed form for the known part refuses it") {
-    const KnownPart known = KnownPart::cosine;
+    const Known known = Known::cosine;
     CHECK_THROWS_AS(Sobolev(1.4).z(0.5, known), std::invalid_argument);
     CHECK_THROWS_AS(Sobolev(1.4).integral_of_z(known), std::invalid_argument);
     CHECK_THROWS_AS(SquaredExponential().z(0.5, known), std::invalid_argument);

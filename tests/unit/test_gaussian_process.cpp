@@ -51,12 +51,12 @@ TEST_CASE("weights do not change when the directions are rotated about the up ax
 
 TEST_CASE("85 to 99.9 percent of the errors on a kinked integrand lie within two predicted standard errors") {
     const double truth = kinked_integral();
-    for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine})
+    for (const Known known : {Known::nothing, Known::cosine})
         for (std::size_t n : {20u, 40u, 80u}) {
             int inside = 0;
             for (std::uint64_t set = 0; set < 300; ++set) {
                 Random random(12, 1000 * n + set);
-                const Placement placement = known == KnownPart::nothing ? Placement::uniform : Placement::cosine;
+                const Placement placement = known == Known::nothing ? Placement::uniform : Placement::cosine;
                 const GaussianProcess process(Sobolev(), 0.01, place_directions(placement, n, random).directions,
                                               known);
                 std::vector<double> values;
@@ -110,7 +110,7 @@ TEST_CASE("two equal directions without noise are not positive definite") {
 }
 
 TEST_CASE("a direction that rounding has made longer than 1 has the z of the pole") {
-    for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine})
+    for (const Known known : {Known::nothing, Known::cosine})
         CHECK(z_of(Sobolev(), {{0, 1.0000009, 0}}, known)[0] == z_of(Sobolev(), {{0, 1, 0}}, known)[0]);
     CHECK(z_of(SquaredExponential(), {{0, 1.0000009, 0}})[0] == z_of(SquaredExponential(), {{0, 1, 0}})[0]);
 }

@@ -87,7 +87,7 @@ TEST_CASE("under a light of black and white texels, both ways to round codes are
     PictureSettings settings = settings_of(Method::pool);
     settings.width = settings.height = 100;
     settings.placement = Placement::cosine_fibonacci;
-    settings.known = KnownPart::cosine;
+    settings.known = Known::cosine;
     const EnvironmentMap map = load_environment("black-and-white");
     const Image image = render(sphere_scene(), map, settings);
     for (const PictureFile& picture : {written(image), rounded_down(image, 255)})

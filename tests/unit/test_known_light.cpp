@@ -1,5 +1,5 @@
-#include "known_light/known_light_error.h"
-#include "predicted_picture.h"
+#include "known_light/known_light.h"
+#include "prediction.h"
 
 #include "test.h"
 
@@ -21,7 +21,7 @@ const TestLight* const lights[] = {&even_light, &bright_desert};
 PictureSettings known_light(Method method, std::size_t samples = 40, int size = 40) {
     PictureSettings settings;
     static_cast<RenderSettings&>(settings) = small(method, samples, size);
-    settings.set_known(Known::light);
+    settings.known = Known::light;
     return settings;
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("1 and 3 threads give the same bytes where the light is known, and oth
     settings.threads = 3;
     CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) == one);
     CHECK(to_pfm(picture(sphere_scene(), prefilter(even_light.map, 3), settings)) == one);
-    settings.set_known(Known::nothing);
+    settings.known = Known::nothing;
     CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) != one);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("a known light leaves a twentieth of the error under a bright sun, 0.9
         const Image truth = dense_picture(light->map);
         PictureSettings settings = on_good_directions(40);
         const double with = error_of(picture(sphere_scene(), *light, settings), truth).rmse;
-        settings.set_known(Known::cosine);
+        settings.known = Known::cosine;
         const double without = error_of(picture(sphere_scene(), *light, settings), truth).rmse;
         CAPTURE(with);
         CAPTURE(without);
@@ -166,27 +166,8 @@ TEST_CASE("the sun does not shine from below the horizon") {
     // The normal is perpendicular to the middle of the sun; the rectangle above hides what is below the horizon.
     const Scene scene{{{0, -9, 0}, 1, {}}, {1, 5.0 / 3, 100, -100, 100, {}}};
     const Hit hit{Object::sphere, {0, 0, 0}, normalize({-0.48, 0.8, 0}), {1, 1, 1}};
-    const VisibleSun sun = visible_sun(scene, bright_desert.prefiltered, hit, 64, Random(1, 0));
-    CHECK(sun.fraction.x == 1);
-    CHECK(sun.changes == 0);
-}
-
-TEST_CASE("a direction of a known light sees caps of its own solid angle") {
-    const QuadratureRule rule = monte_carlo_rule({Placement::uniform, fibonacci_directions(40)});
-    const KnownLightRule known = known_light_rule(rule, even_light.prefiltered);
-    for (const float* light : known.caps.rgb) CHECK(light == even_light.prefiltered.table(2 * pi / 40).rgb);
-}
-
-TEST_CASE("no weight of a rule for the known light is negative") {
-    int negative = 0;
-    for (std::uint64_t i = 0; i < 200; ++i) {
-        Random random(1, i);
-        const QuadratureRule rule = bayesian_rule(Sobolev(), 0.01, uniform_directions(12, random), KnownPart::cosine);
-        for (const double weight : rule.weights) negative += weight < 0;
-        for (const double weight : known_light_rule(rule, even_light.prefiltered).directions.weights)
-            CHECK(weight >= 0);
-    }
-    CHECK(negative > 0);
+    Random random(1, 0);
+    CHECK(visible_sun(scene, bright_desert.prefiltered, hit, 64, random).x == 1);
 }
 
 TEST_CASE("a known light and many directions tend to the same picture as a dense quadrature" *
@@ -196,91 +177,4 @@ TEST_CASE("a known light and many directions tend to the same picture as a dense
     const ImageError error = error_of(picture(sphere_scene(), even_light, settings), dense_picture(desert));
     CHECK(error.rmse < 2e-4);                   // 0.7e-4 each, by a sum over all texels
     CHECK(std::fabs(error.brightness) < 4e-4);  // of E (test_irradiance_map.cpp)
-}
-
-// ---- What is predicted of its error
-
-namespace {
-
-ModelledLightRule modelled_rule(std::size_t n, const PrefilteredEnvironment& light) {
-    Random random(1, 0);
-    const GaussianProcess process(Sobolev(), 0.01, uniform_directions(n, random), KnownPart::cosine);
-    const QuadratureRule rule{process.directions(), process.weights(), KnownPart::cosine};
-    return {known_light_rule(rule, light), process};
-}
-
-}  // namespace
-
-TEST_CASE("an even light that is known leaves the error of the visibility's mean") {
-    const ModelledLightRule rule = modelled_rule(20, white_light.prefiltered);
-    const PixelError error = error_of_visible_sky(sphere_scene(), white_light.prefiltered, beside, rule, upright);
-    CHECK(relative(error.unit_variance.x, rule.process->variance() / (pi * pi)) < 1e-5);
-    std::vector<double> visible;
-    for (const Vec3 direction : rule.process->directions())
-        visible.push_back(!is_shadowed(sphere_scene(), beside, upright.to_world(Direction(direction))));
-    const std::vector<double> differences = deviations(visible);
-    CHECK(sum_of_squares(differences) > 0.5);
-    const double amplitude = rule.process->amplitude(differences) * std::sqrt(20.0 / 19);
-    CHECK(relative(std::sqrt(error.squared_amplitude.y), 0.8 * amplitude) < 1e-3);  // E = pi by a table
-    CHECK(error_of_visible_sky(sphere_scene(), white_light.prefiltered, top, rule, upright).squared_amplitude.x == 0);
-}
-
-TEST_CASE("a source in one sample's cap leaves the error of one sample") {
-    ModelledLightRule rule = modelled_rule(20, white_light.prefiltered);
-    const float source[] = {1e6f, 1, 1};
-    rule.caps.columns[3] = rule.caps.rows[3] = 1;
-    rule.caps.rgb[3] = source;
-    const PixelError error = error_of_visible_sky(sphere_scene(), white_light.prefiltered, beside, rule, upright);
-    double weights = 0, squares = 0;
-    for (const double weight : rule.directions.weights) {
-        weights += weight;
-        squares += weight * weight;
-    }
-    CHECK(relative(error.unit_variance.x / error.unit_variance.y, weights * weights / squares) < 1e-3);
-}
-
-TEST_CASE("one direction says nothing of a visibility's error, and is refused") {
-    CHECK_THROWS_AS(error_of_visible_sky(sphere_scene(), white_light.prefiltered, top,
-                                         modelled_rule(1, white_light.prefiltered), upright),
-                    std::invalid_argument);
-}
-
-// Over the points of a picture. The differences of neighbouring rays count an edge between two strata like one within:
-// they predict 1.6 of the variance here, hence up to twice.
-TEST_CASE("the variance that a known sun adds is about that of the fraction of its rays that arrive") {
-    const PrefilteredEnvironment& light = bright_desert.prefiltered;
-    double predicted = 0, actual = 0;
-    for_each_hit(sphere_scene(), {40, 40}, [&](int x, int y, const Hit& hit) {
-        const Random random(1, static_cast<std::uint64_t>(40 * y + x));
-        const Color scale = 1 / pi * (hit.albedo * light.sun_irradiance(hit.normal));
-        const Color found = visible_sun(sphere_scene(), light, hit, 16, random).fraction;
-        const Color right = visible_sun(sphere_scene(), light, hit, 2000, random).fraction;
-        const Color error = scale * (found - right);
-        predicted += variance_of_visible_sun(sphere_scene(), light, hit, 16, random).x;
-        actual += error.x * error.x;
-    });
-    CAPTURE(predicted / actual);
-    CHECK(predicted > actual);
-    CHECK(predicted < 2 * actual);
-}
-
-// Over twenty seeds the ratios are 1.07 to 1.21, the coverages 0.946 to 0.963.
-TEST_CASE("where the light is known a picture predicts its RMSE to 30 %, and 19 of 20 errors lie within two") {
-    const Truth truth = truth_of(dense_picture(desert, 60));
-    for (const std::size_t samples : {10u, 40u}) {
-        PictureSettings settings = on_good_directions(samples, 60);
-        const Image image = picture(sphere_scene(), even_light, settings);
-        const Image errors = predicted_picture(sphere_scene(), even_light, settings);
-        check_prediction(image, errors, truth);
-    }
-}
-
-TEST_CASE("as many samples are chosen as have the RMSE that is asked for, and four at least beside a known sun") {
-    PictureSettings settings = on_good_directions(1, 60);
-    const ChosenSamples chosen = samples_for(0.01, 4096, sphere_scene(), even_light, settings);
-    CHECK(chosen.rmse <= 0.01);
-    settings.samples = chosen.samples;
-    const Image errors = predicted_picture(sphere_scene(), even_light, settings);
-    CHECK(relative(root_mean_square(errors, object_pixels(sphere_scene(), {60, 60})), 0.01) < 0.15);
-    CHECK(samples_for(1e9, 4096, sphere_scene(), bright_desert, on_good_directions(1)).samples == 4);
 }

@@ -1,4 +1,4 @@
-#include "predicted_picture.h"
+#include "prediction.h"
 
 #include "test.h"
 
@@ -21,7 +21,7 @@ TEST_CASE("model options make the covariance that they name") {
     CHECK(settings.placement == Placement::fibonacci);
     settings = {};
     CHECK(parse_model({"--known", "cosine", "--placement", "cosine-fibonacci"}, settings).empty());
-    CHECK(settings.known == KnownPart::cosine);
+    CHECK(settings.known == Known::cosine);
     CHECK(settings.placement == Placement::cosine_fibonacci);
     CHECK_NOTHROW(require_closed_form(settings));
     settings.smoothness = 1.4;
@@ -36,7 +36,7 @@ TEST_CASE("only a picture has a light that can be known") {
     PictureSettings settings;
     CHECK_THROWS_AS(parse_model({"--known", "light"}, settings), UsageError);
     CHECK(parse({"--known", "light"}, PictureOptions(settings).process).empty());
-    CHECK(settings.known_part() == Known::light);
+    CHECK(settings.known == Known::light);
     CHECK(parse({"--method", "mc", "--known", "light"},
                 join({{PictureOptions(settings).method}, PictureOptions(settings).process}))
               .empty());

@@ -30,13 +30,3 @@ TEST_CASE("an exception of one row ends the others' work and reaches the caller"
         CHECK(calls < 1 << 27);
     }
 }
-
-TEST_CASE("the progress of a part grows from its beginning to its end") {
-    double told = 0;
-    const Progress part = part_of([&](double done) { told = done; }, 0.25, 0.75);
-    part(0.5);
-    CHECK(told == 0.5);
-    part(1);
-    CHECK(told == 0.75);
-    CHECK(!part_of(nullptr, 0, 1));
-}

@@ -5,15 +5,16 @@
 namespace {
 
 // The mean over caps with their centres in a texel of the table, each centre with its share of the solid angle.
-Color direct_mean(const EnvironmentMap& map, const LightTable& table, int texel, Random& random) {
-    constexpr std::size_t n = 16000;
+Color direct_mean(const EnvironmentMap& map, const EnvironmentMap& table, double solid_angle, int texel,
+                  Random& random) {
+    constexpr std::size_t n = 4000;
     Color sum;
     double weights = 0;
     for (const Vec3& w : fibonacci_directions(n)) {
-        const double column = texel % table.columns + random.uniform();
-        const double row = texel / table.columns + random.uniform();
-        const Frame frame(towards(column / (table.columns - 1), row / (table.rows - 1)));
-        const double cosine = 1 - (1 - w.y) * table.solid_angle / (2 * pi), across = std::sqrt(1 - w.y * w.y);
+        const double column = texel % table.width() + random.uniform();
+        const double row = texel / table.width() + random.uniform();
+        const Frame frame(towards(column / (table.width() - 1), row / (table.height() - 1)));
+        const double cosine = 1 - (1 - w.y) * solid_angle / (2 * pi), across = std::sqrt(1 - w.y * w.y);
         const double sine = std::sqrt(1 - cosine * cosine);
         const double weight = std::sqrt(1 - frame.normal.y * frame.normal.y);
         sum += weight * map.radiance(frame.to_world(Vec3{sine * w.x / across, cosine, sine * w.z / across}));
@@ -30,11 +31,12 @@ TEST_CASE("300 random caps of the built-in light have the mean of a direct sum t
     Random random(5, 7);
     double worst = 0, squares = 0;
     for (int i = 0; i < 300; ++i) {
-        const LightTable& table = light.tables()[static_cast<std::size_t>(i) % (light.tables().size() - 1)];
+        const double solid_angle = pi / (1 << 2 * (i % 6));
+        const EnvironmentMap& table = light.means(solid_angle);
         Vec3 w = uniform_directions(1, random)[0];
         if (i % 4 < 2) w.y = -w.y;
-        const int texel = TexelGrid(table.columns, table.rows).texel_index(w.x, w.y, w.z);
-        const double error = table.rgb[3 * texel + 1] / direct_mean(desert, table, texel, random).y - 1;
+        const int texel = table.grid().texel_index(w.x, w.y, w.z);
+        const double error = table.texel(texel).y / direct_mean(desert, table, solid_angle, texel, random).y - 1;
         worst = std::max(worst, std::fabs(error));
         squares += error * error / 300;
     }
@@ -48,11 +50,10 @@ TEST_CASE("a uniform light is its own mean over any cap, whatever the size of it
     for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {7, 1}, {2, 2}, {300, 40}, {1024, 512}}) {
         const EnvironmentMap map = even_map(width, height, 0.25);
         const PrefilteredEnvironment light(map);
-        REQUIRE(light.tables().size() > 3);
-        for (const LightTable& table : light.tables()) {
+        for (int level = 0; level < 5; ++level) {
             double worst = 0;
-            for (int i = 0; &table != &light.tables().back() && i < 3 * table.columns * table.rows; ++i)
-                worst = std::max(worst, std::fabs(table.rgb[i] / 0.25 - 1));
+            for (const float mean : values(light.means(pi / (1 << 2 * level))))
+                worst = std::max(worst, std::fabs(mean / 0.25 - 1));
             CHECK(worst < 2e-6);  // the millionth that no cap is without, and rounding to float
         }
     }
@@ -64,19 +65,21 @@ TEST_CASE("where there is light, no cap is black") {
         return row == 5 && column >= 10 && column < 50 ? Color{1, 1, 1} : Color{};
     });
     const PrefilteredEnvironment light(map);
-    const LightTable& finest = light.tables()[light.tables().size() - 2];
-    const int down = TexelGrid(finest.columns, finest.rows).texel_index(0.0, -1.0, 0.0);
-    CHECK(finest.rgb[3 * down] > 0);
-    CHECK(finest.rgb[3 * down] < 4e-8f);  // a millionth of a mean of 0.03
+    const double down = light.means(pi / 64).radiance({0, -1, 0}).x;
+    CHECK(down > 0);
+    CHECK(down < 4e-8);  // a millionth of a mean of 0.03
 }
 
 TEST_CASE("the table for a solid angle is the one whose ratio to it is nearest to 1; the finest is the map") {
     const PrefilteredEnvironment light(desert);
-    CHECK(light.table(100).solid_angle == pi);
-    CHECK(light.table(pi / 1.9).solid_angle == pi);
-    CHECK(light.table(pi / 2.1).solid_angle == pi / 4);
-    CHECK(light.table(pi / 1000).solid_angle == pi / 1024);
-    CHECK(light.table(1e-6).rgb == desert.texels());
-    // A texel at the equator: 2 pi / 1023 times pi / 511.
-    CHECK(std::fabs(light.tables().back().solid_angle - 3.776e-5) < 1e-8);
+    const auto same = [&](double a, double b) { return &light.means(a) == &light.means(b); };
+    CHECK(same(100, pi));
+    CHECK(same(pi / 1.9, pi));
+    CHECK(same(pi / 2.1, pi / 4));
+    CHECK(!same(pi / 2.1, pi));
+    CHECK(same(pi / 1000, pi / 1024));
+    CHECK(&light.means(1e-6) == &desert);
+    // A texel at the equator has 2 pi / 1023 times pi / 511; the smallest caps have pi / 1024.
+    CHECK(&light.means(std::sqrt(3.776e-5 * pi / 1024) * 0.999) == &desert);
+    CHECK(&light.means(std::sqrt(3.776e-5 * pi / 1024) * 1.001) == &light.means(pi / 1024));
 }

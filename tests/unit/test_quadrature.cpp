@@ -10,7 +10,7 @@ TEST_CASE("a Monte Carlo rule integrates its known part exactly: 1, or the cosin
             const QuadratureRule rule = monte_carlo_rule(place_directions(placement, n, random));
             const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
             CAPTURE(named.first);
-            CHECK(rule.known == (cosine ? KnownPart::cosine : KnownPart::nothing));
+            CHECK(rule.known == (cosine ? Known::cosine : Known::nothing));
             CHECK(known_part(rule.known, {0.6, 0.8, 0}) == (cosine ? 0.8 : 1));
             CHECK(rule.directions.size() == n);
             double sum = 0;

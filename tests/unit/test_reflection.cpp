@@ -24,7 +24,7 @@ TEST_CASE("the fast loops give the textbook's bytes for every method, placement 
     for (const EnvironmentMap& light : {desert, load_environment("bright-desert")})
         for (const Method method : all_methods)
             for (const auto& placement : placement_names)
-                for (const KnownPart known : {KnownPart::nothing, KnownPart::cosine}) {
+                for (const Known known : {Known::nothing, Known::cosine}) {
                     RenderSettings settings = few_pixels(method, 11);
                     settings.placement = placement.second;
                     settings.known = known;

@@ -20,7 +20,7 @@ bool prints(const std::string& word, double value) {
 TEST_CASE("a rule is reported as one row of x, y, z, z_j and weight for each direction") {
     Random random(1, 0);
     const GaussianProcess process(Sobolev(), 0.01, uniform_directions(12, random));
-    const auto rows = rows_of(rule_report(process, KnownPart::nothing));
+    const auto rows = rows_of(rule_report(process, Known::nothing));
     REQUIRE(rows.size() == 12);
     for (std::size_t i = 0; i < 12; ++i) {
         REQUIRE(rows[i].size() == 5);
@@ -91,7 +91,7 @@ TEST_CASE("a line that is no direction is named") {
 TEST_CASE("values are integrated with an error bar, the process's own") {
     const Samples samples = read("0 1 0 3\n0.6 0.8 0 2\n-0.6 0.8 0 2.5\n0 0.6 0.8 1\n0 0.6 -0.8 1.5\n");
     const GaussianProcess process(Sobolev(), 0.01, samples.directions);
-    const std::string text = rule_report(process, KnownPart::nothing, samples.values);
+    const std::string text = rule_report(process, Known::nothing, samples.values);
     double estimate = 0, amplitude = 0, error = 0;
     const std::size_t at = text.find("estimate ");
     REQUIRE(at != std::string::npos);

@@ -1,10 +1,11 @@
 #include "causes.h"
 
 #include <array>
+
 #include "command_line.h"
+#include "fingerprint.h"
 #include "likely_mistakes.h"
 #include "picture_file.h"
-#include "prediction/predicted_error.h"
 #include "quadrature/hemisphere.h"
 
 namespace bmc {

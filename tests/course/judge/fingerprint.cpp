@@ -6,7 +6,6 @@
 
 #include "experiments/statistics.h"
 #include "numerics/cholesky.h"
-#include "prediction/predicted_error.h"
 
 namespace bmc {
 namespace {

@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace bmc {
+// Each colour by itself: (*colour).x, y, z.
+constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
+
 // RMSE, brightness and correlation as in ImageError; "alike", the fraction of neighbours whose errors differ by less
 // than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels. Then the
 // mean error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "command_line.h"
-#include "prediction/predicted_error.h"
 
 namespace bmc {
 namespace {
