@@ -2,9 +2,9 @@
 #include "numerics/portable_math.h"
 
 #include "command_line.h"
+#include "light/desert.h"
 #include "numerics/plain_loops.h"
 #include "prediction.h"
-#include "scene/desert.h"
 
 #include <algorithm>
 #include <thread>

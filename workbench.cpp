@@ -8,8 +8,8 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
-#include "scene/desert.h"
-#include "scene/radiance_hdr.h"
+#include "light/desert.h"
+#include "light/radiance_hdr.h"
 
 #include <algorithm>
 #include <memory>

@@ -11,6 +11,11 @@ namespace bmc {
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
 constexpr long max_process_samples = 4096;
 
+// For the help text of an option that takes the name.
+constexpr const char* environment_help =
+    "light from a Radiance .hdr file, bright-desert (its sun a thousand times brighter) or black-and-white (half of "
+    "the directions bring light)";
+
 struct ModelOptions {
     std::vector<Option> process;  // covariance, smoothness, length-scale, noise, known part
     Option placement, seed;

@@ -1,5 +1,5 @@
 #include "experiments/integrands.h"
-#include "scene/desert.h"
+#include "light/desert.h"
 
 #include <numeric>
 

@@ -1,8 +1,8 @@
 // Functions over the hemisphere whose integrals are known, for experiments to estimate.
 #pragma once
 
+#include "light/environment.h"
 #include "quadrature/quadrature.h"
-#include "scene/environment.h"
 
 #include <functional>
 #include <memory>

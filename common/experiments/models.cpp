@@ -1,8 +1,8 @@
 #include "experiments/models.h"
 
 #include "experiments/statistics.h"
+#include "light/desert.h"
 #include "quadrature/gaussian_process.h"
-#include "scene/desert.h"
 #include "scene/scene.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "experiments/rule.h"
 
-#include "scene/input.h"
+#include "light/input.h"
 
 #include <algorithm>
 #include <cmath>

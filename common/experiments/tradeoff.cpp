@@ -1,8 +1,8 @@
 #include "experiments/tradeoff.h"
 
 #include "experiments/statistics.h"
+#include "light/desert.h"
 #include "quadrature/gaussian_process.h"
-#include "scene/desert.h"
 
 #include <algorithm>
 #include <cmath>

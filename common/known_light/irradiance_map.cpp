@@ -1,7 +1,7 @@
 #include "known_light/irradiance_map.h"
 
-#include "known_light/texels_on_sphere.h"
-#include "scene/parallel.h"
+#include "light/texels_on_sphere.h"
+#include "numerics/parallel.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -4,7 +4,7 @@
 // representation for irradiance environment maps", SIGGRAPH 2001).
 #pragma once
 
-#include "scene/environment.h"
+#include "light/environment.h"
 
 #include <vector>
 

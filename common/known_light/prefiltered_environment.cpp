@@ -1,8 +1,8 @@
 #include "known_light/prefiltered_environment.h"
 
-#include "known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
+#include "numerics/parallel.h"
 #include "quadrature/hemisphere.h"
-#include "scene/parallel.h"
 
 namespace bmc {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
 
 namespace bmc {
 namespace {

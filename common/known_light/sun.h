@@ -3,7 +3,7 @@
 // Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 #pragma once
 
-#include "scene/environment.h"
+#include "light/environment.h"
 
 #include <cstdint>
 #include <vector>

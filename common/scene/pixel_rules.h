@@ -3,7 +3,7 @@
 // between pixels, as the last three here do.
 #pragma once
 
-#include "scene/parallel.h"
+#include "numerics/parallel.h"
 #include "scene/reflection.h"
 
 namespace bmc {

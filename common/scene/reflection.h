@@ -3,8 +3,8 @@
 // The visibility V is 0 for a direction that the other object shadows, and 1 for all others.
 #pragma once
 
+#include "light/environment.h"
 #include "quadrature/quadrature.h"
-#include "scene/environment.h"
 #include "scene/scene.h"
 
 namespace bmc {

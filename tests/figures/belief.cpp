@@ -2,7 +2,7 @@
 // discs side by side, on stderr what is written below each. A disc is the hemisphere above the point, as a fish-eye
 // sees it, in Lambert's equal-area projection: the sum of its pixels is an integral with respect to solid angle.
 #include "experiments/integrands.h"
-#include "scene/desert.h"
+#include "light/desert.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 

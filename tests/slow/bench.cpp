@@ -8,8 +8,8 @@
 
 #include "experiments/picture_cost.h"
 #include "experiments/picture_error.h"
+#include "light/desert.h"
 #include "quadrature/gaussian_process.h"
-#include "scene/desert.h"
 
 using namespace bmc;
 

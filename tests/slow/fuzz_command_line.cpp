@@ -7,10 +7,10 @@
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
+#include "light/desert.h"
+#include "light/radiance_hdr.h"
 #include "numerics/plain_loops.h"
 #include "prediction.h"
-#include "scene/desert.h"
-#include "scene/radiance_hdr.h"
 
 #include <getopt.h>
 

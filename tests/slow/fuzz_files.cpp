@@ -1,7 +1,7 @@
 // libFuzzer: any bytes are a picture, a map of radiances or rows of numbers, or an error of one line.
 #include "../course/judge/picture_file.h"
 #include "experiments/rule.h"
-#include "scene/radiance_hdr.h"
+#include "light/radiance_hdr.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -3,10 +3,10 @@
 
 #include "command_line.h"
 #include "experiments/picture_error.h"
+#include "light/desert.h"
+#include "light/radiance_hdr.h"
 #include "numerics/plain_loops.h"
 #include "prediction.h"
-#include "scene/desert.h"
-#include "scene/radiance_hdr.h"
 
 #include <doctest/doctest.h>
 #include <getopt.h>

@@ -1,4 +1,4 @@
-#include "scene/desert.h"
+#include "light/desert.h"
 
 #include "test.h"
 

@@ -1,4 +1,4 @@
-#include "scene/parallel.h"
+#include "numerics/parallel.h"
 
 #include "test.h"
 

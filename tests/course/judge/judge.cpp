@@ -1,8 +1,8 @@
 // Whether pictures of the sphere scene that other programs made are right: each beside correct ones of other seeds.
 #include "judge_picture.h"
+#include "light/desert.h"
+#include "light/input.h"
 #include "picture.h"
-#include "scene/desert.h"
-#include "scene/input.h"
 
 using namespace bmc;
 

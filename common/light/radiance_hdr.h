@@ -1,7 +1,7 @@
 // Radiance pictures (.hdr): how environment maps are stored in files.
 #pragma once
 
-#include "scene/environment.h"
+#include "light/environment.h"
 
 #include <iosfwd>
 #include <string>

@@ -1,4 +1,4 @@
-#include "scene/input.h"
+#include "light/input.h"
 
 #include <cerrno>
 #include <cstring>

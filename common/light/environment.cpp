@@ -1,4 +1,4 @@
-#include "scene/environment.h"
+#include "light/environment.h"
 
 #include <algorithm>
 #include <cstdint>

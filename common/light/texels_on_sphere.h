@@ -1,7 +1,7 @@
 // The texels of an environment map as pieces of the sphere, for averages over directions.
 #pragma once
 
-#include "scene/environment.h"
+#include "light/environment.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "scene/radiance_hdr.h"
+#include "light/radiance_hdr.h"
 
 #include <algorithm>
 #include <array>

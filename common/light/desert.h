@@ -1,7 +1,7 @@
 // The built-in lights, and the choice between them and a light from a file.
 #pragma once
 
-#include "scene/environment.h"
+#include "light/environment.h"
 
 #include <string>
 #include <vector>
@@ -18,9 +18,4 @@ constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and
 // The built-in light of this name, painted by so many threads, or else the one in the .hdr file. Throws
 // std::runtime_error, one line that names the file.
 EnvironmentMap load_environment(const std::string& name = "desert", unsigned threads = 1);
-
-// For the help text of an option that takes the name.
-constexpr const char* environment_help =
-    "light from a Radiance .hdr file, bright-desert (its sun a thousand times brighter) or black-and-white (half of "
-    "the directions bring light)";
 }  // namespace bmc

@@ -1,8 +1,8 @@
-#include "scene/desert.h"
+#include "light/desert.h"
 
-#include "scene/input.h"
-#include "scene/parallel.h"
-#include "scene/radiance_hdr.h"
+#include "light/input.h"
+#include "light/radiance_hdr.h"
+#include "numerics/parallel.h"
 
 #include <cstdint>
 #include <optional>
