@@ -39,7 +39,7 @@ std::vector<Option> method_options(Request& request) {
     const PictureOptions options(request.settings);
     const auto chosen = [&] { return request.prediction.rmse > 0 ? "--rmse chooses their number" : ""; };
     const PredictionOptions prediction(request.prediction);
-    return {options.method, useless_while(chosen, options.samples), prediction.rmse, options.pool};
+    return {options.method, useless_while(chosen, options.samples), prediction.rmse, options.pool, options.share};
 }
 
 std::vector<Option> picture_options(Request& request) {
@@ -69,7 +69,7 @@ std::string help_text() {
            describe(method_options(request)) + "\nGaussian process and its samples:\n" +
            describe(process_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
            "\nexamples: ./renderer --method mc > mc.ppm\n"
-           "          ./renderer --known light --placement cosine-fibonacci > best.ppm\n";
+           "          ./renderer --method mc --known light --placement cosine-fibonacci --share > best.ppm\n";
 }
 
 // Throws UsageError.

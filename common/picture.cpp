@@ -1,9 +1,19 @@
 #include "picture.h"
 
-#include "known_light/known_light.h"
+#include "sharing/shared_light.h"
 
 namespace bmc {
-PictureOptions::PictureOptions(PictureSettings& s) : RenderOptions(s) {
+PictureOptions::PictureOptions(PictureSettings& s)
+    : RenderOptions(s),
+      share(useless_while(
+          [&s] {
+              const bool one_rule = s.method == Method::mc || s.method == Method::rotated;
+              return one_rule && is_lattice(s.placement) && s.known == Known::light
+                         ? ""
+                         : "it needs --known light, a lattice as --placement, and --method mc or rotated";
+          },
+          {"share", "", "neighbouring pixels share what they see of a known light",
+           [&s](const std::string&) { s.shared = true; }})) {
     Option& known = of_process("known");
     const auto unless_light = [&s, why_useless = known.why_useless] {
         return s.known == Known::light ? "" : why_useless();
@@ -18,6 +28,7 @@ EnvironmentLight prefilter(const EnvironmentMap& environment, unsigned threads) 
 }
 
 Shade shade_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings) {
+    if (settings.shared) return reflected_shared_light(scene, *light.prefiltered, settings);
     if (settings.known == Known::light) return reflected_known_light(scene, *light.prefiltered, settings);
     return reflected_environment(scene, light.environment, settings);
 }

@@ -1,4 +1,4 @@
-// The pictures of the programs, with and without a known light: the one place that knows both kinds.
+// The pictures of the programs: the one place that knows the practice's, those with a known light, and the shared ones.
 #pragma once
 
 #include "known_light/prefiltered_environment.h"
@@ -7,10 +7,14 @@
 #include <memory>
 
 namespace bmc {
-using PictureSettings = RenderSettings;
+struct PictureSettings : RenderSettings {
+    bool shared = false;  // neighbouring pixels share what they see of a known light
+};
 
 // Monte Carlo takes one of a process's options: that the light is known.
 struct PictureOptions : RenderOptions {
+    Option share;
+
     explicit PictureOptions(PictureSettings& settings);
 };
 

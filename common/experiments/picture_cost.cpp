@@ -15,12 +15,14 @@ namespace {
 constexpr auto uniform = Placement::uniform, fibonacci = Placement::fibonacci, cosine = Placement::cosine,
                cosine_fibonacci = Placement::cosine_fibonacci;
 
-PictureSettings settings_of(Method method, std::size_t pool, Placement placement, Known known = Known::nothing) {
+PictureSettings settings_of(Method method, std::size_t pool, Placement placement, Known known = Known::nothing,
+                            bool shared = false) {
     PictureSettings settings;
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
     settings.known = known;
+    settings.shared = shared;
     return settings;
 }
 
@@ -82,7 +84,7 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
 
 std::string name_columns(const PictureSettings& s) {
     return formatted("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool,
-                     name_of(s.placement, placement_names), name_of(s.known, known_names));
+                     name_of(s.placement, placement_names), s.shared ? "shared" : name_of(s.known, known_names));
 }
 
 }  // namespace
@@ -116,7 +118,8 @@ std::vector<PictureSettings> main_settings() {
             settings_of(Method::mc, 1, uniform, Known::light),
             settings_of(Method::pool, 20, uniform, Known::light),
             settings_of(Method::mc, 1, cosine_fibonacci, Known::light),
-            settings_of(Method::pool, 20, cosine_fibonacci, Known::light)};
+            settings_of(Method::pool, 20, cosine_fibonacci, Known::light),
+            settings_of(Method::mc, 1, cosine_fibonacci, Known::light, true)};
 }
 
 std::vector<PictureSettings> all_settings() {

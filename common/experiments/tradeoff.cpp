@@ -71,7 +71,8 @@ const char* const meaning =
     "# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its\n"
     "# standard error; predicted: the rmse that two of the pictures predict; within: the share of errors within two\n"
     "# predicted ones; brightness: root mean square of the mean's relative error; correlation: of the errors of\n"
-    "# neighbouring pixels, less their mean; mc_samples: samples with which mc has this rmse.\n";
+    "# neighbouring pixels, less their mean; mc_samples: samples with which mc has this rmse; known: what is known of\n"
+    "# the integrand (shared: the light, and neighbours share what they see of it).\n";
 const char* const measured =
     "# Measured here: seconds for a million pixels of objects on one core; efficiency, 1 / (rmse^2 seconds), is that\n"
     "# relative to mc.\n";
