@@ -3,9 +3,9 @@
 # make clean        removes what make made
 # make help         these lines
 
-# Under make -s nothing is said; on all processors, unless a number of jobs is given.
+# Under make -s nothing is said; on all processors, unless a number of jobs is given or another make gives them.
 SILENT := $(findstring s,$(firstword -$(MAKEFLAGS)))
-ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)
+ifeq ($(MAKELEVEL)$(filter -j% --jobserver%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || nproc 2>/dev/null || echo 1)
 endif
 

@@ -74,11 +74,12 @@ mutations:
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/slow/portability
 
+# Needs more memory than some checks leave, which are then skipped.
 SANITIZED = $(BUILD)/sanitizers
 sanitizers:
 	$(MAKE) CXX=clang++ CPPFLAGS=-Werror CXXFLAGS="-O2 -g -fno-sanitize-recover=all -fsanitize=address,undefined" \
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) PRECOMPILED=$(SANITIZED)/standard.h all $(SANITIZED)/unit_tests $(SANITIZED)/compare
-	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run product
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) REQUIRE_ALL= tests/output/run product
 
 FUZZ_SECONDS ?= 60
 FUZZERS = fuzz_files fuzz_command_line
