@@ -69,7 +69,8 @@ std::string help_text() {
            describe(method_options(request)) + "\nGaussian process and its samples:\n" +
            describe(process_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
            "\nexamples: ./renderer --method mc > mc.ppm\n"
-           "          ./renderer --method mc --known light --placement cosine-fibonacci --share > best.ppm\n";
+           "          ./renderer --method mc --known light --placement cosine-fibonacci \\\n"
+           "              --share > best.ppm\n";
 }
 
 // Throws UsageError.
