@@ -100,7 +100,7 @@ ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, c
         settings.samples = samples;
         return pilot_rmse(scene, light, settings);
     };
-    std::size_t lower = 0, samples = 2;
+    std::size_t lower = 0, samples = settings.shared ? 8 : 2;
     double rmse_of_lower = 0, rmse = predict(samples);
     while (rmse > target) {
         if (samples >= most)

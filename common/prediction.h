@@ -46,10 +46,11 @@ struct ChosenSamples {
     double rmse;  // predicted
 };
 
-// The fewest samples, but at least 2, whose predicted RMSE is at most the target. Pilots try 2, 4, 8, ...; between the
-// last two the RMSE is interpolated as a power of the samples. A pilot makes eight processes in place of a pool or of
-// one for each pixel: that does not change the expected error. Throws std::runtime_error, which tells the RMSE of the
-// most samples, at least 4, if they do not suffice; and what the Gaussian processes throw.
+// The fewest samples whose predicted RMSE is at most the target, but at least 2, or 8 where pixels share: all pixels
+// have the error of too small a lattice, and no two pictures show it. Pilots try 2, 4, 8, ...; between the last two the
+// RMSE is interpolated as a power of the samples. A pilot makes eight processes in place of a pool or of one for each
+// pixel: that does not change the expected error. Throws std::runtime_error, which tells the RMSE of the most samples,
+// at least 4, if they do not suffice; and what the Gaussian processes throw.
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const EnvironmentLight& light,
                           PictureSettings settings);
 

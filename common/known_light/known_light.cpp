@@ -6,14 +6,14 @@
 #include <algorithm>
 
 namespace bmc {
-std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
+std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples, double part) {
     if (light.sun().empty()) return 0;
-    const double half = 0.5 * light.sun().share() * static_cast<double>(samples);
-    return std::max<std::size_t>(static_cast<std::size_t>(half + 0.5), 1);
+    const double rays = part * light.sun().share() * static_cast<double>(samples);
+    return std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
 }
 
-RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light) {
-    const std::size_t sun = sun_samples(light, settings.samples);
+RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light, double part) {
+    const std::size_t sun = sun_samples(light, settings.samples, part);
     settings.samples = settings.samples > sun ? settings.samples - sun : 1;
     return settings;
 }

@@ -17,11 +17,11 @@
 #include "scene/render.h"
 
 namespace bmc {
-// How many of a pixel's samples go to the sun: none where there is none, otherwise one at least.
-std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
+// How many of a pixel's samples go to the sun: a part of s of them, but at least one; none where there is no sun.
+std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples, double part = 0.5);
 
 // The settings of the rule for the sky: without the sun's samples.
-RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light);
+RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light, double part = 0.5);
 
 // The sums of a quotient: of all light, and of what arrives.
 struct Quotient {

@@ -3,6 +3,8 @@
 namespace bmc {
 namespace {
 
+constexpr double sun_part = 0.8;
+
 // The turn of a pixel's directions, in [0, 1): the fractional part of x / g + y / g^2, where g^3 = g + 1.
 double r2_turns(int x, int y) {
     const double t = 0.75487766624669276 * x + 0.56984029099805327 * y;
@@ -13,7 +15,7 @@ double r2_turns(int x, int y) {
 
 Views sky_views(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings) {
     Views views{settings.width, settings.height};
-    const PixelRules rules(sky_settings(settings, light));
+    const PixelRules rules(sky_settings(settings, light, sun_part));
     const CosineRule& rule = rules.shared()[0];
     const int window = (2 * views.reach() + 1) * (2 * views.reach() + 1);
     const EnvironmentMap& means = light.means(2 * portable::pi / (static_cast<double>(rule.size()) * window));
@@ -57,7 +59,7 @@ Color Views::shared_fraction(int x, int y) const {
 
 Shade reflected_shared_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings) {
     const auto sky = std::make_shared<const Views>(sky_views(scene, light, settings));
-    return [=, &scene, &light, rays = sun_samples(light, settings.samples)](const Hit& hit, int x, int y) {
+    return [=, &scene, &light, rays = sun_samples(light, settings.samples, sun_part)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const Color irradiance = light.sky_irradiance(hit.normal) * sky->shared_fraction(x, y) +
                                  light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, rays, random);

@@ -12,8 +12,9 @@
 //
 // This is a denoiser of first order, as those of Moon et al. (2014) and Bitterli et al. (2016), but of one number: that
 // the light is known makes a plane enough. The sun's light is not shared: the edge of its shadow can be as narrow as a
-// pixel. Weights of a process suit the directions of one pixel. They leave a bias that no neighbour averages away, so
-// equal weights are better here.
+// pixel. So a sun that sends the share s of the light gets 0.8 s of the rays, where it has s / 2 without sharing.
+// Weights of a process suit the directions of one pixel. They leave a bias that no neighbour averages away, so equal
+// weights are better here.
 #pragma once
 
 #include "known_light/known_light.h"
