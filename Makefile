@@ -40,7 +40,7 @@ $(BUILD)/%.o: %.cpp $(BUILD)/settings
 # Written anew when the command to compile has changed: all that was made by another is then out of date.
 $(BUILD)/settings: always
 	@mkdir -p $(@D)
-	@echo '$(COMPILE) $(LDFLAGS)' | cmp -s - $@ || echo '$(COMPILE) $(LDFLAGS)' > $@
+	@echo '$(SETTINGS)' | cmp -s - $@ || echo '$(SETTINGS)' > $@
 
 clean:
 	rm -rf $(BUILD) $(BIN)/workbench $(BIN)/renderer
@@ -50,3 +50,6 @@ help:
 
 -include tests/goals.mk
 -include $(shell find $(BUILD)/*.d $(BUILD)/common $(BUILD)/tests -name '*.d' 2>/dev/null)
+
+# Last, and once: a goal's own COMPILE would reach this file of settings, too, and each goal undo what another made.
+SETTINGS := $(COMPILE) $(LDFLAGS)

@@ -36,7 +36,8 @@ CosineRule PixelRules::fresh_rule(Random& random) const {
 // BEGIN SOLUTION direct
 // A Gaussian process for every integral, on fresh directions from the pixel's random numbers.
 PlacedRule PixelRules::direct(Vec3 normal, Random& random) const {
-    return {std::make_shared<const CosineRule>(fresh_rule(random)), Frame(normal)};
+    const auto rule = std::make_shared<const CosineRule>(fresh_rule(random));
+    return {rule, Frame(normal)};
 }
 // END SOLUTION
 

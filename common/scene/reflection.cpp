@@ -10,7 +10,8 @@ CosineRule cosine_rule(const QuadratureRule& rule) {
     CosineRule folded;
     for (std::size_t i = 0; i < rule.weights.size(); ++i) {
         const Vec3 direction = rule.directions[i];
-        folded.add(direction, rule.known == Known::nothing ? rule.weights[i] * direction.y : rule.weights[i]);
+        const double factor = rule.known == Known::nothing ? direction.y : 1;
+        folded.add(direction, rule.weights[i] * factor);
     }
     return folded;
 }

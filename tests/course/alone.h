@@ -2,14 +2,20 @@
 // what they give. Where that cannot be right a line "cause: " on stderr says why.
 #pragma once
 
+#if __has_include(<execinfo.h>)
+#include <execinfo.h>
+#endif
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <initializer_list>
+#include <vector>
 
 __attribute__((format(printf, 2, 3))) inline void explain_if(bool so, const char* format, ...) {
     if (!so) return;
@@ -21,17 +27,25 @@ __attribute__((format(printf, 2, 3))) inline void explain_if(bool so, const char
     std::fputc('\n', stderr);
 }
 
-inline bool near(double a, double b) { return std::fabs(a - b) <= 1e-3 * std::fabs(b) + 1e-9; }
+inline bool near(double a, double b) { return std::isfinite(b) && std::fabs(a - b) <= 1e-3 * std::fabs(b) + 1e-9; }
 
-// A value that a mistake gives, and what the mistake is.
+// A mistake: what it makes of a case of a test, and the words for it; what is right has none.
+template <class Case>
 struct Mistake {
-    double value;
+    double (*value)(const Case&);
     const char* words;
 };
 
-// Which mistake gives the value, if one does.
-inline void explain(double value, std::initializer_list<Mistake> mistakes) {
-    for (const Mistake& mistake : mistakes) explain_if(near(value, mistake.value), "%s", mistake.words);
+// Whether all that was given is right, which stands first. If not, tells the mistake by which all is explained.
+template <class Case>
+bool explain(const std::vector<Case>& cases, std::initializer_list<Mistake<Case>> mistakes) {
+    for (const Mistake<Case>& mistake : mistakes) {
+        const auto explains = [&](const Case& each) { return near(each.given, mistake.value(each)); };
+        if (!std::all_of(cases.begin(), cases.end(), explains)) continue;
+        if (mistake.words) explain_if(true, "%s", mistake.words);
+        return !mistake.words;
+    }
+    return false;
 }
 
 struct Task {
@@ -39,7 +53,18 @@ struct Task {
     void (*print)();
 };
 
+// On stderr the addresses of the calls that have not ended: whoever has the program can tell their lines.
+inline void end_by(int signal) {
+#if __has_include(<execinfo.h>)
+    void* calls[64];
+    backtrace_symbols_fd(calls, backtrace(calls, 64), 2);
+#endif
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
 inline int call(int argc, char** argv, std::initializer_list<Task> tasks) {
+    for (const int signal : {SIGABRT, SIGSEGV, SIGALRM}) std::signal(signal, end_by);
     alarm(4);  // a processor's time is no limit for a program that sleeps
     try {
         for (const Task& task : tasks)

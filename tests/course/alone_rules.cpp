@@ -18,9 +18,12 @@ namespace {
 std::size_t rules_made = 0;
 bool numbered = true;  // the weights of a rule are its number
 
-// What a table was made of.
+double integrand_of(Vec3 w) { return 40 * w.y; }
+
+// What a table was made of: the y of the first direction of every set, what was estimated there, and the errors
+// predicted.
 struct Taken {
-    std::vector<double> mc, bmc, estimates;  // the y of the first direction of every set, and what bmc estimated
+    std::vector<double> mc, bmc, mc_estimates, bmc_estimates, predicted;
     double noise = 0, covariance = 0;
 } taken;
 
@@ -37,22 +40,27 @@ DirectionSet bmc::place_directions(Placement placement, std::size_t n, Random& r
 
 QuadratureRule bmc::monte_carlo_rule(DirectionSet set) {
     taken.mc.push_back(set.directions.at(0).y);
-    return {set.directions,
-            std::vector<double>(set.directions.size(), 2 * pi / static_cast<double>(set.directions.size()))};
+    const double weight = 2 * pi / static_cast<double>(set.directions.size());
+    taken.mc_estimates.push_back(0);
+    for (const Vec3& direction : set.directions) taken.mc_estimates.back() += weight * integrand_of(direction);
+    return {set.directions, std::vector<double>(set.directions.size(), weight)};
 }
 
 Cholesky::Cholesky(Matrix a) : upper_(std::move(a)) {}
 
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known)
-    : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(0) {
+    : directions_(std::move(directions)), cholesky_(Matrix(0, 0)), variance_(0.3) {
     taken.bmc.push_back(directions_.at(0).y);
     taken.noise = noise;
     taken.covariance = covariance(1);
     ++rules_made;
     const double n = static_cast<double>(directions_.size());
-    for (double i = 0.5; i < n; ++i)
+    taken.bmc_estimates.push_back(0);
+    for (double i = 0.5; i < n; ++i) {
         weights_.push_back(numbered ? static_cast<double>(rules_made)
                                     : 2 * pi / n * (noise + i) / (taken.covariance + n / 2));
+        taken.bmc_estimates.back() += weights_.back() * integrand_of(directions_[weights_.size() - 1]);
+    }
 }
 QuadratureRule bmc::bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known) {
     const GaussianProcess process(covariance, noise, std::move(directions));
@@ -61,11 +69,12 @@ QuadratureRule bmc::bayesian_rule(const Covariance& covariance, double noise, st
 double GaussianProcess::integral(const std::vector<double>& values) const {
     double estimate = 0;
     for (std::size_t i = values.size(); i-- > 0;) estimate += values[i] * weights_[i];
-    taken.estimates.push_back(estimate);
     return estimate;
 }
+double GaussianProcess::amplitude(const std::vector<double>& values) const { return values.at(0) / 3 + 2; }
 double GaussianProcess::standard_error(const std::vector<double>& values) const {
-    return values.at(0) + values.back() / 7 + static_cast<double>(values.size());
+    taken.predicted.push_back(values.at(0) + values.back() / 7 + static_cast<double>(values.size()));
+    return taken.predicted.back();
 }
 
 CosineRule bmc::cosine_rule(const QuadratureRule& rule) {
@@ -91,6 +100,7 @@ void explain_sets(const char* method, const std::vector<double>& sets, std::size
     }
     std::string right;
     for (std::size_t e = 0; e < wanted; ++e) right += ' ' + std::to_string(e);
+    explain_if(sets.size() > wanted, "%s makes %zu estimates, the settings say %zu", method, sets.size(), wanted);
     explain_if(!sets.empty() && numbers.substr(0, right.size()) != right.substr(0, numbers.size()),
                "%s takes the directions of the estimates%.40s (?: none of these), not%s", method, numbers.c_str(),
                right.c_str());
@@ -98,25 +108,69 @@ void explain_sets(const char* method, const std::vector<double>& sets, std::size
                sets.size(), wanted);
 }
 
-// Which mean of a process's estimates was taken for the mean error.
-void explain_mean(double error, double truth, std::size_t all) {
-    double sum = 0, absolute = 0, squares = 0, estimates = 0;
-    for (const double estimate : taken.estimates) {
-        sum += estimate - truth;
-        estimates += std::fabs(estimate);
-        absolute += std::fabs(estimate - truth);
-        squares += (estimate - truth) * (estimate - truth);
+// A column of a table: what is in a row, and what it is the mean of.
+struct Column {
+    double given;
+    std::vector<double> values;  // estimates, or standard errors, which have the truth 0
+    double truth, n, other;      // numbers of samples, and of the other method's estimates
+
+    double count() const { return static_cast<double>(values.size()); }
+    double sum(double (*term)(double error)) const {
+        double sum = 0;
+        for (const double value : values) sum += term(value - truth);
+        return sum;
     }
-    const double n = static_cast<double>(taken.estimates.size());
-    if (near(error, absolute / n)) return;
-    explain(
-        error,
-        {{absolute, "bmc_error is a sum; it should be a mean"},
-         {estimates / n, "the truth is not subtracted"},
-         {sum / n, "bmc_error is a mean without absolute values"},
-         {std::fabs(sum / n), "bmc_error is the absolute value of a mean; it should be the mean of absolute values"},
-         {std::sqrt(squares / n), "bmc_error is the root of a mean square; it should be the mean of absolute values"},
-         {absolute / static_cast<double>(all), "bmc_error is divided by the number of Monte Carlo's estimates"}});
+    double size() const {
+        return sum([](double error) { return std::fabs(error); });
+    }
+    double bias() const {
+        return sum([](double error) { return error; });
+    }
+    double squares() const {
+        return sum([](double error) { return error * error; });
+    }
+    double whole() const {
+        int sum = 0;
+        for (const double value : values) sum = static_cast<int>(sum + std::fabs(value - truth));
+        return sum;
+    }
+};
+
+void explain_column(const char* name, std::vector<Column> rows) {
+    using C = const Column&;
+    const Mistake<Column> mistakes[] = {
+        {[](C c) { return c.size() / c.count(); }, nullptr},
+        {[](C c) { return c.size(); }, "is a sum; it should be a mean"},
+        {[](C) { return 0.0; }, "is 0 everywhere"},
+        {[](C c) { return c.whole() / c.count(); }, "has a sum of whole numbers: is it an int?"},
+        {[](C c) { return c.size() / c.other; }, "is divided by the number of the other method's estimates"},
+        {[](C c) { return c.size() / c.n; }, "is divided by the number of samples"},
+        {[](C c) { return c.size() / c.count() / c.count(); }, "is divided by the number of estimates twice"},
+        {[](C c) { return c.size() / c.count() / c.n; }, "is divided by the number of samples, too"},
+        {[](C c) { return (c.bias() + 2 * c.truth * c.count()) / c.count(); },
+         "has the truth added; it is to be subtracted"},
+        {[](C c) { return c.size() / c.count() / c.truth; }, "is divided by the truth"},
+        {[](C c) { return c.bias() / c.count() + c.truth; }, "has a mean of estimates: the truth is not subtracted"},
+        {[](C c) { return c.bias() / c.count(); }, "is a mean without absolute values"},
+        {[](C c) { return std::fabs(c.bias() / c.count()); },
+         "is the absolute value of a mean; it should be the mean of absolute values"},
+        {[](C c) { return -c.bias() / c.count(); }, "is a mean without absolute values"},
+        {[](C c) { return std::sqrt(c.squares() / c.count()); },
+         "is the root of a mean square; it should be the mean of absolute values"},
+        {[](C c) { return c.squares() / c.count(); }, "is a mean of squares; it should be one of absolute values"},
+        {[](C c) { return std::fabs(c.values.back() - c.truth); }, "is the last estimate's alone"},
+        {[](C c) { return std::fabs(c.values.back() - c.truth) / c.count(); },
+         "is the last estimate's alone: = in place of +="},
+        {[](C c) { return std::fabs(c.values[0] - c.truth); }, "is the first estimate's alone"},
+        {[](C) { return 0.3; }, "is the variance of the process; standard_error(values) gives the error"},
+        {[](C) { return std::sqrt(0.3); }, "lacks the amplitude; standard_error(values) has it"}};
+    for (Column& row : rows)
+        if (row.values.empty()) row.values = {NAN};  // nothing that is known
+    for (const Mistake<Column>& mistake : mistakes) {
+        if (!explain<Column>(rows, {{mistake.value, nullptr}})) continue;
+        explain_if(mistake.words, "%s %s", name, mistake.words);
+        return;
+    }
 }
 
 void table() {
@@ -125,12 +179,13 @@ void table() {
     settings.covariance = CovarianceFamily::squared_exponential;
     settings.noise = 0.25;
     settings.seed = 7;
-    const Integrand integrand{"", "", [](Vec3 w) { return w.y; }, 3.2};
+    const Integrand integrand{"", "", integrand_of, 112};
+    std::vector<Column> mc, bmc, predicted;
     for (const bool more : {false, true}) {
         settings.mc_estimates = more ? 2 : 5;
         settings.bmc_estimates = more ? 4 : 3;
         std::printf("# samples mc_error bmc_error bmc_predicted\n");
-        for (const std::size_t n : {2u, 5u, 60u}) {
+        for (const std::size_t n : {7u, 11u, 60u}) {
             settings.samples = {n};
             taken = {};
             const ErrorRow row = error_table(integrand, settings).at(0);
@@ -139,10 +194,26 @@ void table() {
             explain_sets("Bayesian Monte Carlo", taken.bmc, settings.bmc_estimates, settings, n);
             explain_if(taken.noise != 0.25, "the process has the noise %g, the settings say 0.25", taken.noise);
             explain_if(taken.covariance != (*settings.make_covariance())(1), "the process has another covariance");
-            explain_mean(row.bmc_error, integrand.truth, settings.mc_estimates);
+            const double samples = static_cast<double>(n), mcs = more ? 2 : 5, bmcs = more ? 4 : 3;
+            mc.push_back({row.mc_error, taken.mc_estimates, integrand.truth, samples, bmcs});
+            bmc.push_back({row.bmc_error, taken.bmc_estimates, integrand.truth, samples, mcs});
+            predicted.push_back({row.bmc_predicted, taken.predicted, 0, samples, mcs});
         }
     }
+    explain_column("mc_error", mc);
+    explain_column("bmc_error", bmc);
+    explain_column("bmc_predicted", predicted);
 }
+
+// A private function, for numbers that a stream of random numbers hardly gives.
+PlacedRule pool_of(const PixelRules& rules, Vec3 normal, double u, double turns);
+template <auto function>
+struct Opened {
+    friend PlacedRule pool_of(const PixelRules& rules, Vec3 normal, double u, double turns) {
+        return (rules.*function)(normal, u, turns);
+    }
+};
+template struct Opened<&PixelRules::pool>;
 
 // A pixel's random numbers, and what the method made of them.
 struct Pixel {
@@ -165,10 +236,10 @@ struct Pixel {
 };
 
 // Whether every direction of every pixel was turned by so many times a number of the pixel.
-bool all_turned(const std::vector<Pixel>& pixels, double factor, double Pixel::*number) {
+bool all_turned(const std::vector<Pixel>& pixels, double factor, double Pixel::*number, double more = 0) {
     for (const Pixel& pixel : pixels)
         for (std::size_t i = 0; i < pixel.placed.rule->size(); ++i) {
-            const double apart = pixel.turned(i) - factor * pixel.*number;
+            const double apart = pixel.turned(i) - factor * pixel.*number - more;
             if (!(std::fabs(apart - std::floor(apart + 0.5)) < 1e-3)) return false;
         }
     return true;
@@ -182,32 +253,60 @@ const char* angle(const std::vector<Pixel>& pixels) {
                                                       {2 * pi, "by 2 pi as much: turns are no radians"},
                                                       {360, "by 360 times as much: turns are no degrees"},
                                                       {360 / (2 * pi), "by 57.3 times as much: turns are no degrees"},
+                                                      {pi, "by pi as much: turns are no radians"},
                                                       {2, "twice as far"},
                                                       {0.5, "half as far"}};
     for (const auto& [factor, words] : factors)
         if (all_turned(pixels, factor, &Pixel::turns)) return words;
+    const double first = pixels[0].turned(0);
+    if (all_turned(pixels, 0, &Pixel::turns, first)) return "by a fixed angle";
+    if (all_turned(pixels, 1, &Pixel::turns, first - pixels[0].turns)) return "by the turns and a fixed angle besides";
     if (all_turned(pixels, 1, &Pixel::u)) return "by u, which chooses the rule; turns is the angle";
     return "by another angle, or directions by different ones";
 }
+
+// A rule by its number, and the random numbers of its pixel.
+struct Choice {
+    double given, u, turns;
+};
 
 void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
     for (const auto& shared : rules.shared()) numbers.emplace(shared.weights.at(0), numbers.size());
     std::map<std::size_t, std::pair<double, double>> chosen;  // the least and the largest u for which it is chosen
-    bool by_turns = numbers.size() > 1;
+    std::vector<Choice> choices;
     for (const Pixel& pixel : pixels) {
         const auto number = numbers.find(pixel.placed.rule->weights.at(0));
         if (number == numbers.end()) throw std::runtime_error("the rule is none of shared_rules_");
         auto& [least, largest] = chosen.emplace(number->second, std::pair(pixel.u, pixel.u)).first->second;
         least = std::min(least, pixel.u), largest = std::max(largest, pixel.u);
-        by_turns = by_turns && number->second == static_cast<std::size_t>(pixel.turns * 7);
+        choices.push_back({static_cast<double>(number->second), pixel.u, pixel.turns});
     }
-    explain_if(by_turns, "turns chooses the rule; u is for that");
+    using C = const Choice&;
+    if (numbers.size() > 1)
+        explain<Choice>(
+            choices,
+            {{[](C c) { return std::floor(7 * c.u); }, nullptr},
+             {[](C c) { return std::floor(7 * c.turns); }, "turns chooses the rule; u is for that"},
+             {[](C) { return 0.0; }, "the first rule is always chosen"},
+             {[](C) { return 6.0; }, "the last rule is always chosen"},
+             {[](C c) { return std::floor(6 * c.u); }, "u is multiplied by size - 1, so the last is never chosen"},
+             {[](C c) { return std::floor(6 * c.u + 0.5); }, "u (size - 1) is rounded; u size is to be cut off"},
+             {[](C c) { return std::ceil(6 * c.u); }, "u (size - 1) is rounded up; u size is to be cut off"},
+             {[](C c) { return 6 - std::floor(7 * c.u); }, "the rules are counted from the end"},
+             {[](C c) { return std::min(6.0, std::floor(7 * c.u + 0.5)); }, "u size is rounded; it is to be cut off"},
+             {[](C c) { return std::min(6.0, std::floor(20 * c.u)); },
+              "u is multiplied by 20; the pool has size() rules"}});
     std::printf("# rules never chosen:");
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (chosen.count(i) == 0) std::printf(" %zu of %zu", i, numbers.size());
     std::printf("\n# rule chosen_from_u to_u\n");
     for (const auto& [number, u] : chosen) std::printf("%zu %.3f %.3f\n", number, u.first, u.second);
+    std::printf("# u rule\n");
+    for (std::size_t i = 0; numbers.size() > 1 && i < 14; ++i) {
+        const double u = i == 0 ? 0 : (static_cast<double>((i + 1) / 2) + (i % 2 == 0 ? 1e-9 : -1e-9)) / 7;
+        std::printf("%.10f %zu\n", u, numbers.at(pool_of(rules, {0, 1, 0}, u, 0).rule->weights.at(0)));
+    }
 }
 
 template <Method its>
@@ -219,19 +318,29 @@ void method() {
     const PixelRules rules(settings);
     const std::size_t shared = rules_made;
     std::vector<Pixel> pixels;
-    bool upright = true, own = true;
+    bool upright = true, above = true, opposite = true, world = true, own = true;
     for (std::size_t i = 0; i < 2000; ++i) {
         Random random(3, i), same(3, i);
         const double u = same.uniform(), turns = same.uniform();
-        const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 0.1 + u, turns - 0.5});
+        const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 2 * u - 1, turns - 0.5});
         pixels.push_back({u, turns, rules.rule_for(normal, random), normal});
         if (!pixels.back().placed.rule) throw std::runtime_error("a pixel has no rule");
         const CosineRule& rule = *pixels.back().placed.rule;
-        for (std::size_t j = 0; j < rule.size(); ++j)
-            upright = upright && std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
+        for (std::size_t j = 0; j < rule.size(); ++j) {
+            const double y = static_cast<double>(rule.y[j]);
+            opposite = opposite && std::fabs(pixels.back().local(j).y + y) < 1e-3;
+            world = world && std::fabs(dot(pixels.back().placed.frame.normal, {0, 1, 0}) - 1) < 1e-9;
+            if (!(std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3)) {
+                upright = false;
+                above = above && normal.y < 0;
+            }
+        }
         own = own && std::fabs(pixels.back().local(0).y - u) < 1e-3;
     }
     const std::size_t made = rules_made - shared;
+    explain_if(opposite, "the frame's up axis is the opposite of the normal");
+    explain_if(world, "the frame is not aligned with the normal: Frame(normal) does that");
+    explain_if(!upright && above, "the frame's up axis is not the normal where that points down");
     explain_if((its == Method::rotated || its == Method::pool) && all_turned(pixels, 0, &Pixel::turns),
                "not turned: rotated(turns) changes no frame, it returns one that is turned by a number of turns");
     explain_if(its == Method::direct && made != 2000, "%zu processes for 2000 pixels; every pixel has its own", made);

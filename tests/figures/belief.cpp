@@ -30,8 +30,14 @@ Color light(Vec3 direction) {
 const Integrand integrand{"", "", [](Vec3 w) { return dot(luminance, light(w)); }, 0};
 Random stream(7, 0);
 const Sobolev covariance;
-const GaussianProcess process(covariance, 0.01, uniform_directions(40, stream));
-const std::vector<double> values = sample(integrand, process.directions());
+const GaussianProcess& process() {
+    static const GaussianProcess made(covariance, 0.01, uniform_directions(40, stream));
+    return made;
+}
+const std::vector<double>& values() {
+    static const std::vector<double> made = sample(integrand, process().directions());
+    return made;
+}
 
 // Posterior mean k^T Q^-1 Y, and the standard deviation of the luminance, a sqrt(k(w, w) - k^T Q^-1 k); k holds the
 // covariances of w with the samples.
@@ -41,16 +47,16 @@ struct Belief {
 };
 Belief belief(Vec3 w) {
     std::vector<double> k;
-    for (const Vec3 direction : process.directions()) k.push_back(covariance(squared_distance(w, direction)));
-    const std::vector<double> weights = process.cholesky().solve(k);
+    for (const Vec3 direction : process().directions()) k.push_back(covariance(squared_distance(w, direction)));
+    const std::vector<double> weights = process().cholesky().solve(k);
     Color mean;
-    for (std::size_t j = 0; j < k.size(); ++j) mean += weights[j] * light(process.directions()[j]);
+    for (std::size_t j = 0; j < k.size(); ++j) mean += weights[j] * light(process().directions()[j]);
     const double explained = std::inner_product(k.begin(), k.end(), weights.begin(), 0.0);
-    return {mean, process.amplitude(values) * std::sqrt(covariance(0) - explained)};
+    return {mean, process().amplitude(values()) * std::sqrt(covariance(0) - explained)};
 }
 
 Color light_and_samples(Vec3 w, double u, double v) {
-    for (const Vec3 direction : process.directions()) {
+    for (const Vec3 direction : process().directions()) {
         const double s = std::sqrt(1 + direction.y), distance = length({v + direction.x / s, u + direction.z / s, 0});
         if (distance < 1.7 * dot_radius) return distance < dot_radius ? white : Color{};
     }
@@ -80,10 +86,13 @@ Color pixel(int x, int y) {
 
 }  // namespace
 
-int main() {
+int main() try {
     const std::string picture = to_ppm(image_of(4 * disc, disc, pixel));
     std::fwrite(picture.data(), 1, picture.size(), stdout);
-    const double truth = dense_quadrature(integrand), estimate = process.integral(values);
+    const double truth = dense_quadrature(integrand), estimate = process().integral(values());
     std::fprintf(stderr, "integral %.2f\nestimate %.2f\nstandard error %.2f\nerror %.2f\n", truth, estimate,
-                 process.standard_error(values), std::fabs(estimate - truth));
+                 process().standard_error(values()), std::fabs(estimate - truth));
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "belief: %s\n", error.what());
+    return 1;
 }

@@ -1,5 +1,6 @@
-// compare [--tolerant[=T]] REFERENCE ACTUAL: says in words where an output differs from its reference first, by how
-// much, how much differs, and what the differences have in common. Knows text tables, PPM (P6) and PFM (PF). With
+// compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL: says in words where an output differs from its reference
+// first, by how much, how much differs, and what the differences of a text have in common. Of pictures, PPM (P6) or PFM
+// (PF), it measures the error; --error writes this as a picture: grey is none, white or black one of 0.1. With
 // --tolerant, for the output of another program, numbers agree within a relative T (0.001) plus 1e-9, white space does
 // not count, and pictures agree in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be
 // read.
@@ -38,21 +39,31 @@ double tolerance_of(const std::string& option) {
     return tolerance;
 }
 
-std::string difference(const std::string& reference, const std::string& actual, double tolerance) {
-    if (reference == actual) return "";
-    return reference[0] == 'P' ? picture_difference(reference, actual, tolerance)
-                               : text_difference(reference, actual, tolerance);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        if (argc < 3 || argc > 4) throw std::runtime_error("usage: compare [--tolerant[=T]] REFERENCE ACTUAL");
-        const double tolerance = argc == 4 ? tolerance_of(argv[1]) : 0;
-        const std::string words = difference(read_file(argv[argc - 2]), read_file(argv[argc - 1]), tolerance);
-        if (!words.empty()) std::printf("%s\n", words.c_str());
-        return words.empty() ? 0 : 1;
+        double tolerance = 0;
+        std::string errors;
+        const char* error_file = nullptr;
+        int at = 1;
+        for (; at < argc && argv[at][0] == '-'; ++at)
+            if (std::string(argv[at]) == "--error")
+                error_file = argv[++at];
+            else
+                tolerance = tolerance_of(argv[at]);
+        if (argc != at + 2) throw std::runtime_error("usage: compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL");
+        const std::string reference = read_file(argv[at]), actual = read_file(argv[at + 1]);
+        std::string words;
+        if (reference != actual || error_file)
+            words = reference[0] == 'P' ? picture_difference(reference, actual, tolerance, errors)
+                                        : text_difference(reference, actual, tolerance);
+        if (error_file && errors.empty()) throw std::runtime_error("--error needs two pictures of one size");
+        if (error_file && !(std::ofstream(error_file, std::ios::binary) << errors << std::flush))
+            throw std::runtime_error(std::string("cannot write ") + error_file);
+        if (words.empty() || reference == actual) return 0;
+        std::printf("%s\n", words.c_str());
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "compare: %s\n", error.what());
         return 2;

@@ -25,6 +25,7 @@ inline void add(std::string& text, const std::string& clause) {
 // What makes results so many times as large, in brackets, if it is known.
 std::string reason(double ratio);
 
-// In words, what does not agree; empty if all does. The reference of a picture begins with P.
+// In words, what does not agree; empty if all does. The reference of a picture begins with P; its errors are a picture.
 std::string text_difference(const std::string& reference, const std::string& actual, double tolerance);
-std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance);
+std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance,
+                               std::string& errors);

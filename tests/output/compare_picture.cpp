@@ -1,13 +1,10 @@
 // Pictures of three channels a pixel: PPM (P6) with codes up to 255, and PFM (PF).
 #include "compare.h"
 
-#include "../course/judge/likely_mistakes.h"
 #include "scene/image.h"
-#include "scene/scene.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -55,20 +52,15 @@ double light(const Picture& picture, std::size_t i) {
     return picture.floats ? picture.values[i] : bmc::srgb_decoded(picture.values[i] / 255);
 }
 
-// The first channels of the pixels that differ, the actual picture mirrored first.
-std::vector<std::size_t> differences(const Picture& reference, const Picture& actual, double tolerance,
-                                     const bmc::Mirroring& mirroring = {"", false, false}) {
+// The first channels of the pixels that differ.
+std::vector<std::size_t> differences(const Picture& reference, const Picture& actual, double tolerance) {
     std::vector<std::size_t> found;
-    const std::size_t width = reference.width, height = reference.height;
-    for (std::size_t y = 0; y < height; ++y)
-        for (std::size_t x = 0; x < width; ++x) {
-            const std::size_t i = 3 * (y * width + x), column = mirroring.left_right ? width - 1 - x : x,
-                              j = 3 * ((mirroring.up_down ? height - 1 - y : y) * width + column);
-            bool same = true;
-            for (std::size_t k = 0; k < 3; ++k)
-                same = same && agree(reference.values[i + k], actual.values[j + k], reference.floats ? tolerance : 0);
-            if (!same) found.push_back(i);
-        }
+    for (std::size_t i = 0; i < reference.values.size(); i += 3) {
+        bool same = true;
+        for (std::size_t k = i; k < i + 3; ++k)
+            same = same && agree(reference.values[k], actual.values[k], reference.floats ? tolerance : 0);
+        if (!same) found.push_back(i);
+    }
     return found;
 }
 
@@ -90,79 +82,63 @@ std::string describe_first(const Picture& reference, const Picture& actual, cons
            in_words(largest, 3);
 }
 
-std::string describe_mirroring(const Picture& reference, const Picture& actual, double tolerance) {
-    for (const bmc::Mirroring& each : bmc::mirrorings)
-        if (too_few(differences(reference, actual, tolerance, each), actual, tolerance))
-            return std::string("it is ") + each.name;
-    return "";
+std::vector<double> errors_of(const Picture& reference, const Picture& actual) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < reference.values.size(); ++i) errors.push_back(light(actual, i) - light(reference, i));
+    return errors;
 }
 
-// If it is one part of the sphere scene that differs: which.
-std::string describe_part(const std::vector<std::size_t>& pixels, const Picture& picture) {
-    if (pixels.size() == picture.width * picture.height) return "";
-    const bmc::Scene scene = bmc::sphere_scene();
-    const bmc::Camera camera{static_cast<int>(picture.width), static_cast<int>(picture.height)};
-    std::map<std::string, std::size_t> parts;
-    for (const std::size_t i : pixels) {
-        const auto x = static_cast<int>(i / 3 % picture.width), y = static_cast<int>(i / 3 / picture.width);
-        const auto hit = intersect(scene, camera.ray(x, y));
-        ++parts[!hit ? "in the background" : hit->object == bmc::Object::sphere ? "on the sphere" : "on the rectangle"];
-    }
-    for (const auto& [name, count] : parts)
-        if (static_cast<double>(count) >= 0.99 * static_cast<double>(pixels.size()))
-            return "only pixels " + name + " differ";
-    return "";
-}
-
-// The one factor, neither 0 nor 1, between the lights of all channels that are neither too dark nor too bright for
-// their bytes to tell it; 0 if there is none.
-double common_factor(const Picture& reference, const Picture& actual, const std::vector<std::size_t>& pixels) {
-    const auto tells = [](double light) { return light > 0.02 && light < 0.99; };
-    std::vector<double> factors;
+// Of the pixels that differ: how large the errors of the linear light are, their mean over that of the reference, and
+// the correlation of those of horizontal neighbours, less the mean.
+std::string describe_errors(const Picture& reference, const Picture& actual, const std::vector<std::size_t>& pixels) {
+    const std::vector<double> errors = errors_of(reference, actual);
+    const double count = static_cast<double>(pixels.size());
+    double squares = 0, expected = 0, sum[3] = {}, products = 0, pair_squares = 0;
     for (const std::size_t pixel : pixels)
-        for (std::size_t i = pixel; i < pixel + 3; ++i)
-            if (tells(light(reference, i)) && tells(light(actual, i)))
-                factors.push_back(light(actual, i) / light(reference, i));
-    if (factors.empty() || factors.size() < pixels.size() / 4) return 0;
-    std::sort(factors.begin(), factors.end());
-    const double middle = factors[factors.size() / 2], low = factors[factors.size() / 50];
-    const double high = factors[factors.size() - 1 - factors.size() / 50];
-    return low > 0.95 * middle && high < 1.05 * middle && std::fabs(middle - 1) > 0.02 ? middle : 0;
-}
-
-// Brightness where the pictures differ.
-std::string describe_light(const Picture& reference, const Picture& actual, const std::vector<std::size_t>& pixels) {
-    double expected = 0, found = 0;
-    for (const std::size_t pixel : pixels)
-        for (std::size_t i = pixel; i < pixel + 3; ++i) {
-            expected += light(reference, i);
-            found += light(actual, i);
+        for (std::size_t k = 0; k < 3; ++k) {
+            squares += errors[pixel + k] * errors[pixel + k];
+            sum[k] += errors[pixel + k];
+            expected += light(reference, pixel + k);
         }
-    if (!std::isfinite(found / expected)) return "";
-    if (found == 0) return "where it differs, it is black";
-    const double factor = common_factor(reference, actual, pixels), percent = 100 * std::fabs(found / expected - 1);
-    if (factor != 0)
-        return "the light of every pixel is " + in_words(factor, 3) + " times the reference's" + reason(factor);
-    return "there it is " + in_words(percent, percent < 10 ? 2 : 3) + (found < expected ? " % darker" : " % brighter");
+    for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
+        if (pixels[i + 1] != pixels[i] + 3 || pixels[i + 1] % (3 * reference.width) == 0) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double here = errors[pixels[i] + k] - sum[k] / count,
+                         next = errors[pixels[i + 1] + k] - sum[k] / count;
+            products += here * next;
+            pair_squares += (here * here + next * next) / 2;
+        }
+    }
+    if (!std::isfinite(squares / expected)) return "";
+    const std::string text =
+        bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%", std::sqrt(squares / (3 * count)),
+                       100 * (sum[0] + sum[1] + sum[2]) / expected);
+    if (pair_squares == 0) return text;
+    return text + bmc::formatted(", the correlation of neighbouring errors is %.2f",
+                                 std::floor(100 * products / pair_squares + 0.5) / 100);
+}
+
+// Errors as a PPM: grey is none, white or black one of 0.1.
+std::string picture_of(const std::vector<double>& errors, const Picture& like) {
+    std::string bytes = bmc::formatted("P6\n%zu %zu\n255\n", like.width, like.height);
+    for (const double error : errors)
+        bytes += static_cast<char>(static_cast<unsigned char>(128.5 + 127 * std::fmax(-1, std::fmin(1, 10 * error))));
+    return bytes;
 }
 
 }  // namespace
 
-std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance) {
+std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance,
+                               std::string& errors) {
     const std::optional<Picture> expected = parse_picture(reference), found = parse_picture(actual);
     if (!expected) throw std::runtime_error("the reference is a damaged picture (were its line ends converted?)");
     if (!found)
         return bmc::formatted("reference: a picture (%s), here: %zu bytes that are not a complete one",
                               expected->header.c_str(), actual.size());
     if (expected->header != found->header) return "header: reference " + expected->header + ", here " + found->header;
+    errors = picture_of(errors_of(*expected, *found), *found);
     const std::vector<std::size_t> pixels = differences(*expected, *found, tolerance);
     if (pixels.empty() && tolerance == 0) return "no pixel differs, but white space in the header or the sign of a 0";
     if (too_few(pixels, *found, tolerance)) return "";
-    std::string text = describe_first(*expected, *found, pixels);
-    const std::string mirroring = describe_mirroring(*expected, *found, tolerance);
-    add(text, mirroring);
-    if (!mirroring.empty()) return text;
-    add(text, describe_part(pixels, *found));
-    add(text, describe_light(*expected, *found, pixels));
-    return text;
+    return describe_first(*expected, *found, pixels) + describe_errors(*expected, *found, pixels);
 }
