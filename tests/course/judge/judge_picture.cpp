@@ -23,6 +23,7 @@ constexpr std::size_t seeds = 40;
 struct Background {
     double differing;  // fraction of the pixels with a code off by more than 1.5
     double accepted;   // of that fraction
+    double outline;    // share of these that are at most two columns or rows from an object
     double down;       // how many more values show codes that are rounded down than to the nearest; 0 tells nothing
 
     bool fits() const { return differing <= accepted; }
@@ -30,7 +31,14 @@ struct Background {
 
 // Of floats, 128 values to the largest channel of a pixel count as codes: radiance in a Radiance picture has no more.
 Background background_of(const Image& picture, const Truth& truth, int maxval) {
-    double count = 0, differing = 0, down = 0;
+    double count = 0, differing = 0, outline = 0, down = 0;
+    const int width = picture.width(), height = picture.height();
+    const auto near_object = [&](int x, int y) {
+        for (int i = std::max(0, y - 2); i <= std::min(height - 1, y + 2); ++i)
+            for (int j = std::max(0, x - 2); j <= std::min(width - 1, x + 2); ++j)
+                if (truth.shows_object(j, i)) return true;
+        return false;
+    };
     for (std::size_t i = 0; i < picture.size(); ++i) {
         if (truth.mask[i]) continue;
         const Color measured = picture[i], right = truth.image[i];
@@ -43,10 +51,11 @@ Background background_of(const Image& picture, const Truth& truth, int maxval) {
             if (b < 1 && std::fabs(missing) < 1) down += missing > 0.5 ? 1 : missing < 0 ? -1 : 0;
         }
         differing += differs;
+        outline += differs && near_object(static_cast<int>(i) % width, static_cast<int>(i) / width);
         count += 1;
     }
     count = std::max(1.0, count);
-    return {differing / count, std::max(0.001, 2 / count), down};
+    return {differing / count, std::max(0.001, 2 / count), outline / std::max(1.0, differing), down};
 }
 
 // A picture of codes, half a code brighter: as it was before its program rounded codes down.
@@ -163,7 +172,7 @@ std::string pattern_of(const View& view, const Expected& expected, const Compari
     if (beside["repeats"].measured > std::max(0.5, beside["repeats"].high))
         return formatted("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
     const double roughness = spread_of(expected.correct, roughness_number).mean;
-    if (beside["correlation"].measured > 0.5 && beside["rmse"].measured >= beside["rmse"].low &&
+    if (beside["correlation"].measured > std::max(0.5, beside["correlation"].high) && beside["rmse"].measured >= beside["rmse"].low &&
         view.fingerprint[roughness_number] < 0.6 * roughness)
         return "neighbouring pixels share random numbers, or rules that are not turned";
     return "";
@@ -172,6 +181,8 @@ std::string pattern_of(const View& view, const Expected& expected, const Compari
 // Where the picture errs: its background; all objects alike; or the part that deviates most, and its colours that do so
 // half as much. An empty text if it does so nowhere more than correct pictures.
 std::string place_of(const View& view, const Expected& expected, const Comparison& beside) {
+    if (!view.background.fits() && view.background.outline > 0.5)
+        return "the outline of the objects differs: camera, sphere or rectangle";
     if (!view.background.fits())
         return formatted("it errs most in the background, of which %.3g %% differ", 100 * view.background.differing);
     if (is_as_bright(view.fingerprint, expected)) return "";
