@@ -1,6 +1,6 @@
 // What alone.cpp, alone_integral.cpp and alone_rules.cpp share. Each calls the functions of single tasks and prints
-// what they give. Where that cannot be right a line on stderr says why: after "cause: ", or after the second argument in
-// place of "cause", which no other program can know.
+// what they give. Where that cannot be right a line on stderr says why: after "cause: ", or after the second argument
+// in place of "cause", which no other program can know.
 #pragma once
 
 #include <unistd.h>
@@ -43,8 +43,10 @@ struct Task {
 };
 
 inline int call(int argc, char** argv, std::initializer_list<Task> tasks) {
-    if (argc == 3) cause_mark = argv[2];  // and who gives it limits the time
-    else alarm(4);  // a processor's time is no limit for a program that sleeps
+    if (argc == 3)
+        cause_mark = argv[2];  // and who gives it limits the time
+    else
+        alarm(4);  // a processor's time is no limit for a program that sleeps
     try {
         for (const Task& task : tasks)
             if (argc >= 2 && std::strcmp(argv[1], task.name) == 0) return task.print(), 0;

@@ -158,7 +158,10 @@ Fingerprint fingerprint(const Image& picture, const Truth& truth) {
     for (const Lag lag : all_lags())
         if (2 * std::max(lag.x, lag.y) < std::min(picture.width(), picture.height()))
             correlations.push_back(correlation(errors, truth, lag));
-    Fingerprint numbers{error.rmse, error.brightness, error.correlation, alike_neighbours(picture, truth, error.rmse),
+    Fingerprint numbers{error.rmse,
+                        error.brightness,
+                        error.correlation,
+                        alike_neighbours(picture, truth, error.rmse),
                         largest_block_error(picture, truth).error,
                         std::accumulate(correlations.begin(), correlations.begin() + near_lags, 0.0) / near_lags};
     for (const double part : part_errors(picture, truth)) numbers.push_back(part);

@@ -10,7 +10,8 @@
 namespace bmc {
 // RMSE, brightness and correlation as in ImageError; "alike", the fraction of neighbours whose errors differ by less
 // than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels; "near", the
-// mean correlation of pixels up to two apart, some of which err alike where each has one of a few rules. Then the mean error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square
+// mean correlation of pixels up to two apart, some of which err alike where each has one of a few rules. Then the mean
+// error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square
 // difference of the errors of neighbours; and for each lag, how much more the errors of pixels so far apart are
 // correlated than those of neighbours. Lags with both signs of x, up to two, come first.
 using Fingerprint = std::vector<double>;
