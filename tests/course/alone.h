@@ -1,5 +1,6 @@
 // What alone.cpp, alone_integral.cpp and alone_rules.cpp share. Each calls the functions of single tasks and prints
-// what they give. Where that cannot be right a line "cause: " on stderr says why.
+// what they give. Where that cannot be right a line on stderr says why: after "cause: ", or after the second argument
+// in place of "cause", which no other program can know.
 #pragma once
 
 #if __has_include(<execinfo.h>)
@@ -17,11 +18,13 @@
 #include <initializer_list>
 #include <vector>
 
+inline const char* cause_mark = "cause";
+
 __attribute__((format(printf, 2, 3))) inline void explain_if(bool so, const char* format, ...) {
     if (!so) return;
     va_list values;
     va_start(values, format);
-    std::fputs("cause: ", stderr);
+    std::fprintf(stderr, "%s: ", cause_mark);
     std::vfprintf(stderr, format, values);
     va_end(values);
     std::fputc('\n', stderr);
@@ -65,14 +68,17 @@ inline void end_by(int signal) {
 
 inline int call(int argc, char** argv, std::initializer_list<Task> tasks) {
     for (const int signal : {SIGABRT, SIGSEGV, SIGALRM}) std::signal(signal, end_by);
-    alarm(4);  // a processor's time is no limit for a program that sleeps
+    if (argc == 3)
+        cause_mark = argv[2];  // and who gives it limits the time
+    else
+        alarm(4);  // a processor's time is no limit for a program that sleeps
     try {
         for (const Task& task : tasks)
-            if (argc == 2 && std::strcmp(argv[1], task.name) == 0) return task.print(), 0;
+            if (argc >= 2 && std::strcmp(argv[1], task.name) == 0) return task.print(), 0;
     } catch (const std::exception& error) {
         explain_if(true, "%s", error.what());
         return 1;
     }
-    std::fprintf(stderr, "usage: %s TASK\n", argv[0]);
+    std::fprintf(stderr, "usage: %s TASK [MARK]\n", argv[0]);
     return 2;
 }

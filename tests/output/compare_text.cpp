@@ -36,7 +36,7 @@ struct Word {
 Word parse_word(const std::string& text) {
     char* end = nullptr;
     const double number = std::strtod(text.c_str(), &end);
-    return {number, end};
+    return {end == text.c_str() ? NAN : number, end};
 }
 
 bool words_agree(const std::string& reference, const std::string& actual, double tolerance) {

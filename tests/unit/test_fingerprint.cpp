@@ -103,12 +103,14 @@ TEST_CASE("a number just inside the accepted deviations fits, and one just outsi
     // Brightness as it is; its least deviation is 0.001. Repeats: 6 deviations, of 0.01 at least.
     check_border(1, correct_pictures(1, 1), [](double t) { return 0.01 + t * 0.005; });
     check_border(first_lag, correct_pictures(first_lag, 1), [](double t) { return 0.01 - t * 0.06; });
-    // Correlation by log((0.1 + c) / (1.01 - c)), whose least deviation is 0.1; alike by log(0.003 + f), 0.05.
-    check_border(2, correct_pictures(2, 1), [](double t) {
-        const double high = 0.11 * portable::exp(t * 0.5);  // (0.1 + c) / (1.01 - c) is 0.11 at 0.01
-        return (1.01 * high - 0.1) / (1 + high);
-    });
-    check_border(3, correct_pictures(3, 1), [](double t) { return 0.013 * portable::exp(t * 0.25) - 0.003; });
+    // Correlations by log((0.1 + c) / (1.01 - c)), whose least deviation is 0.1, and near ones 0.03; alike by
+    // log(0.003 + f), 0.02.
+    for (const auto& [i, reach] : {std::pair(2u, 0.5), {5u, 0.15}})
+        check_border(i, correct_pictures(i, 1), [reach = reach](double t) {
+            const double high = 0.11 * portable::exp(t * reach);  // (0.1 + c) / (1.01 - c) is 0.11 at 0.01
+            return (1.01 * high - 0.1) / (1 + high);
+        });
+    check_border(3, correct_pictures(3, 1), [](double t) { return 0.013 * portable::exp(t * 0.1) - 0.003; });
 }
 
 TEST_CASE("numbers together may be 7 standard deviations away") {

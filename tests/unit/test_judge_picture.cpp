@@ -136,18 +136,37 @@ TEST_CASE("what is no such mistake has no cause, but a place" * doctest::test_su
         reason(image_of(side, side, [&](int x, int y) { return image(shows_object(x, y) ? x : (x + 1) % side, y); })),
         "it errs most in the background, of which "));
     CHECK(contains(reason(Image(side, side)), "it errs most in the background, of which "));
-    const auto blurred = [&](int x, int y) {
-        Color sum;
-        for (int i = 0; i < 9; ++i) {
-            const int column = x + i % 3 - 1, row = y + i / 3 - 1;
-            if (!shows_object(column, row)) return image(x, y);
-            sum += image(column, row);
-        }
-        return 1.0 / 9 * sum;
-    };
-    CHECK(!contains(reason(image_of(side, side, blurred)), "neighbouring pixels share"));
     Random random(3, 0);
     CHECK(said([&](Color c, const Hit&, int) { return (0.9 + 0.2 * random.uniform()) * c; }).empty());
+}
+
+TEST_CASE("blurred objects are found, and said to share nothing" * doctest::test_suite("long")) {
+    for (const Method method : {Method::pool, Method::rotated, Method::single}) {
+        const Image image = rendered(method);
+        const auto blurred = [&](int x, int y) {
+            Color sum;
+            double count = 0;
+            for (int i = 0; i < 9; ++i) {
+                const int column = x + i % 3 - 1, row = y + i / 3 - 1;
+                if (!shows_object(x, y) || !shows_object(column, row)) continue;
+                sum += image(column, row);
+                count += 1;
+            }
+            return count == 0 ? image(x, y) : 1 / count * sum;
+        };
+        const Judgement judgement = judged(written(image_of(side, side, blurred)), method);
+        CHECK(!judgement.comparison.fits());
+        CHECK(!contains(judgement.reason, "share"));
+    }
+}
+
+TEST_CASE("what stands elsewhere by a pixel is told by the outline" * doctest::test_suite("long")) {
+    const Image image = rendered(Method::pool);
+    const auto moved = [&](int x, int y) {  // objects a pixel to the right, before the same background
+        if (x > 0 && shows_object(x - 1, y)) return image(x - 1, y);
+        return shows_object(x, y) ? desert.radiance(camera.ray(x, y).direction) : image(x, y);
+    };
+    CHECK(reason(image_of(side, side, moved)) == "the outline of the objects differs: camera, sphere or rectangle");
 }
 
 TEST_CASE("a wrong integrand is found and named: cos(theta) twice, no cos(theta), no shadows" *

@@ -35,13 +35,14 @@ struct Scale {
 constexpr Scale scales[] = {{"rmse", log_of_positive, portable::exp, 0.01},
                             {"brightness", itself, itself, 0.001},
                             {"correlation", log_odds, from_log_odds, 0.1},
-                            {"alike", log_of_fraction, from_log_of_fraction, 0.05},
+                            {"alike", log_of_fraction, from_log_of_fraction, 0.02},
                             {"block", log_of_positive, portable::exp, 0.2},
+                            {"near", log_odds, from_log_odds, 0.03},
                             {"part", itself, itself, 0.004},
                             {"repeats", itself, itself, 0.01}};
 const Scale& scale_of(std::size_t i) { return scales[std::min(i, i < first_lag ? first_part : first_part + 1)]; }
 
-// One picture in 50,000 exceeds it, were the numbers normal: of n = 40 others and k = 5 numbers, (n - k) / (k (n - 1))
+// One picture in 50,000 exceeds it, were the numbers normal: of n = 40 others and k = 6 numbers, (n - k) / (k (n - 1))
 // of the square is distributed as F with k and n - k degrees of freedom (Hotelling, 1931).
 constexpr double accepted_joint_deviation = 7;
 
@@ -80,11 +81,12 @@ std::vector<double> part_errors(const Image& picture, const Truth& truth) {
     return relative;
 }
 
+constexpr int near_lags = 12;  // begin with a neighbour's, {1, 0}
 std::vector<Lag> all_lags() {
     std::vector<Lag> lags;
     for (int y = 0; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x)
-            if (y > 0 || x > 1) lags.push_back({x, y});
+            if (y > 0 || x > 0) lags.push_back({x, y});
     for (const int side : {3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 25, 30, 32, 50, 64, 100, 128})
         for (const Lag lag : {Lag{side, 0}, {0, side}}) lags.push_back(lag);
     return lags;
@@ -149,19 +151,23 @@ BlockError largest_block_error(const Image& picture, const Truth& truth) {
 
 Fingerprint fingerprint(const Image& picture, const Truth& truth) {
     const ImageError error = image_error(picture, truth);
-    Fingerprint numbers{error.rmse, error.brightness, error.correlation, alike_neighbours(picture, truth, error.rmse),
-                        largest_block_error(picture, truth).error};
-    for (const double part : part_errors(picture, truth)) numbers.push_back(part);
-    std::vector<double> errors;  // less the brightness error that all share
+    std::vector<double> errors, correlations;  // less the brightness error that all share
     for (std::size_t i = 0; i < picture.size(); ++i)
         errors.push_back(dot(picture[i] - (1 + error.brightness) * truth.image[i], {1, 1, 1}));
+    for (const Lag lag : all_lags())
+        if (2 * std::max(lag.x, lag.y) < std::min(picture.width(), picture.height()))
+            correlations.push_back(correlation(errors, truth, lag));
+    Fingerprint numbers{error.rmse,
+                        error.brightness,
+                        error.correlation,
+                        alike_neighbours(picture, truth, error.rmse),
+                        largest_block_error(picture, truth).error,
+                        std::accumulate(correlations.begin(), correlations.begin() + near_lags, 0.0) / near_lags};
+    for (const double part : part_errors(picture, truth)) numbers.push_back(part);
     RootMeanSquare roughness;
     each_pair(truth, {1, 0}, [&](std::size_t i, std::size_t j) { roughness.add(errors[i] - errors[j]); });
     numbers.push_back(roughness.value());
-    const double of_neighbours = correlation(errors, truth, {1, 0});
-    for (const Lag lag : all_lags())
-        if (2 * std::max(lag.x, lag.y) < std::min(picture.width(), picture.height()))
-            numbers.push_back(correlation(errors, truth, lag) - of_neighbours);
+    for (const double each : correlations) numbers.push_back(each - correlations[0]);
     return numbers;
 }
 

@@ -12,12 +12,13 @@ namespace bmc {
 constexpr double Color::*channels[] = {&Color::x, &Color::y, &Color::z};
 
 // RMSE, brightness and correlation as in ImageError; "alike", the fraction of neighbours whose errors differ by less
-// than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels. Then the
-// mean error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square
+// than a tenth of the RMSE of all channels; "block", the largest error of the mean over a block of pixels; "near", the
+// mean correlation of pixels up to two apart, some of which err alike where each has one of a few rules. Then the mean
+// error of each colour on the sphere and on the rectangle, over its mean light; the roughness, a root mean square
 // difference of the errors of neighbours; and for each lag, how much more the errors of pixels so far apart are
-// correlated than those of neighbours.
+// correlated than those of neighbours. Lags with both signs of x, up to two, come first.
 using Fingerprint = std::vector<double>;
-constexpr std::size_t rmse_number = 0, brightness_number = 1, block_number = 4, first_part = 5,
+constexpr std::size_t rmse_number = 0, brightness_number = 1, block_number = 4, first_part = 6,
                       roughness_number = first_part + 6, first_lag = roughness_number + 1;
 
 Fingerprint fingerprint(const Image& picture, const Truth& truth);
@@ -57,7 +58,7 @@ struct Accepted {
     double deviations, of_lag;
 };
 
-// The first five numbers; "repeats", the lag that deviates most; and "together", how far the five are from those of
+// The first six numbers; "repeats", the lag that deviates most; and "together", how far the six are from those of
 // correct pictures, in standard deviations of all at once.
 struct Comparison {
     std::vector<Quantity> quantities;

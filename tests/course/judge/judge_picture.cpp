@@ -1,11 +1,14 @@
 #include "judge_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
 
 #include "command_line.h"
+#include "likely_mistakes.h"
+#include "quadrature/hemisphere.h"
 
 namespace bmc {
 namespace {
@@ -22,6 +25,7 @@ constexpr std::size_t seeds = 40;
 struct Background {
     double differing;  // fraction of the pixels with a code off by more than 1.5
     double accepted;   // of that fraction
+    double outline;    // share of these with an object at most two columns or rows away
     double down;       // how many more values show codes that are rounded down than to the nearest; 0 tells nothing
 
     bool fits() const { return differing <= accepted; }
@@ -29,12 +33,16 @@ struct Background {
 
 // Of floats, 128 values to the largest channel of a pixel count as codes: radiance in a Radiance picture has no more.
 Background background_of(const Image& picture, const Truth& truth, int maxval) {
-    double count = 0, differing = 0, down = 0;
+    double count = 0, differing = 0, outline = 0, down = 0;
+    const int width = picture.width(), height = picture.height();
+    const auto shows_object = [&](int x, int y) {
+        return truth.shows_object(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
+    };
     for (std::size_t i = 0; i < picture.size(); ++i) {
         if (truth.mask[i]) continue;
         const Color measured = picture[i], right = truth.image[i];
         const double largest = std::max({right.x, right.y, right.z, 1e-6});
-        bool differs = false;
+        bool differs = false, beside = false;
         for (const auto channel : channels) {
             const double a = measured.*channel, b = right.*channel;
             const double missing = maxval > 0 ? maxval * (srgb_encoded(b) - srgb_encoded(a)) : 128 * (b - a) / largest;
@@ -42,10 +50,13 @@ Background background_of(const Image& picture, const Truth& truth, int maxval) {
             if (b < 1 && std::fabs(missing) < 1) down += missing > 0.5 ? 1 : missing < 0 ? -1 : 0;
         }
         differing += differs;
+        const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+        for (int d = -2; d <= 2; ++d) beside = beside || shows_object(x + d, y) || shows_object(x, y + d);
+        outline += differs && beside;
         count += 1;
     }
     count = std::max(1.0, count);
-    return {differing / count, std::max(0.001, 2 / count), down};
+    return {differing / count, std::max(0.001, 2 / count), outline / std::max(1.0, differing), down};
 }
 
 // A picture of codes, half a code brighter: as it was before its program rounded codes down.
@@ -111,9 +122,10 @@ std::vector<Fingerprint> correct_fingerprints(const EnvironmentLight& light, con
 
 // A picture by one rule is one sample, whose numbers have longer tails than normal ones.
 Accepted accepted_of(const PictureSettings& settings) {
-    const bool has_one_rule = settings.method == Method::single || settings.method == Method::rotated ||
-                              (settings.method == Method::mc && is_lattice(settings.placement));
-    return has_one_rule ? Accepted{6, 10} : Accepted{5, 6};
+    return settings.method == Method::single || settings.method == Method::rotated ||
+                   (settings.method == Method::mc && is_lattice(settings.placement))
+               ? Accepted{6, 10}
+               : Accepted{5, 6};
 }
 
 // Whether sphere and rectangle are as bright, colour by colour, as in correct pictures.
@@ -126,6 +138,89 @@ bool is_as_bright(const Fingerprint& measured, const Expected& expected, double 
     return true;
 }
 
+constexpr const char* wrong_integrands[] = {"cos(theta) twice", "cos(theta) is missing", "no shadows",
+                                            "the albedo is missing"};
+
+// What a point reflects by each of the wrong integrands, over what it should reflect, by the same directions.
+std::array<Color, 4> wrong_ratios(const Hit& hit, const EnvironmentMap& environment,
+                                  const std::vector<Vec3>& directions, double turns) {
+    const Scene scene = sphere_scene();
+    const Frame frame = Frame(hit.normal).rotated(turns);
+    Color right;
+    std::array<Color, 4> wrong;
+    for (const Vec3& local : directions) {
+        const Vec3 direction = frame.to_world(local);
+        const Color light = environment.radiance(direction);
+        const double visible = is_shadowed(scene, hit, direction) ? 0 : 1;
+        right += visible * local.y * light;
+        wrong[0] += visible * local.y * local.y * light;
+        wrong[1] += visible * light;
+        wrong[2] += local.y * light;
+    }
+    wrong[3] = {right.x / hit.albedo.x, right.y / hit.albedo.y, right.z / hit.albedo.z};
+    for (Color& each : wrong)
+        for (const auto channel : channels) each.*channel = right.*channel > 0 ? each.*channel / (right.*channel) : 1;
+    return wrong;
+}
+
+// The truth with so many times the light of objects and of the background.
+Truth times(double objects, double rest, const Truth& truth) {
+    const auto pixel = [&](int x, int y) { return (truth.shows_object(x, y) ? objects : rest) * truth.image(x, y); };
+    return {image_of(truth.image.width(), truth.image.height(), pixel), truth.mask};
+}
+
+// Calls consider with mistakes that change the background too, and with a picture and a truth that would fit: the
+// mistake is undone in the one or made in the other.
+template <class Consider>
+void explain_whole(const Image& picture, const Truth& truth, int maxval, const Consider& consider) {
+    const int width = picture.width(), height = picture.height();
+    const auto undo = [&](const char* cause, auto pixel) { consider(cause, image_of(width, height, pixel), truth); };
+    const auto encode = [&](const char* cause, auto f) {
+        const Image made = each_channel(truth.image, [&](double v) { return f(std::min(v, 1.0)); });
+        consider(cause, picture, Truth{made, truth.mask});
+    };
+    for (const Mirroring& mirroring : mirrorings)
+        undo(mirroring.name, [&](int x, int y) {
+            return picture(mirroring.left_right ? width - 1 - x : x, mirroring.up_down ? height - 1 - y : y);
+        });
+    undo("red and blue exchanged", [&](int x, int y) {
+        return Color{picture(x, y).z, picture(x, y).y, picture(x, y).x};
+    });
+    encode(maxval > 0 ? "encoded by the sRGB curve twice" : "sRGB codes in a PFM, which holds linear values",
+           srgb_encoded);
+    consider("the background is black", picture, times(1, 0, truth));
+    if (maxval == 0) return;
+    encode("linear values in a PPM, which holds sRGB codes", srgb_decoded);
+    encode("encoded by a gamma of 2.2 in place of the sRGB curve",
+           [](double v) { return srgb_decoded(portable::pow(v, 1 / 2.2)); });
+}
+
+// Those that change objects only, in pictures with so many samples a pixel.
+template <class Consider>
+void explain_objects(const Image& picture, const Truth& truth, const EnvironmentMap& environment, std::size_t samples,
+                     const Consider& consider) {
+    const std::vector<Vec3> directions = fibonacci_directions(300);
+    std::vector<Truth> wrong(std::size(wrong_integrands), truth);
+    for_each_hit(sphere_scene(), {picture.width(), picture.height()}, [&](int x, int y, const Hit& hit) {
+        const auto ratios = wrong_ratios(hit, environment, directions, 0.618 * (y * picture.width() + x));
+        for (std::size_t i = 0; i < wrong.size(); ++i) wrong[i].image.set(x, y, ratios[i] * truth.image(x, y));
+    });
+    for (std::size_t i = 0; i < wrong.size(); ++i) consider(wrong_integrands[i], picture, wrong[i]);
+    const double n = static_cast<double>(samples), weight = 2 * portable::pi / n;
+    std::vector<Factor> all(std::begin(factors), std::end(factors));
+    all.insert(all.end(), {{"nothing is added up", 0},
+                           {"not divided by N", n},
+                           {"divided by N twice", 1 / n},
+                           {"2 pi / N too often", weight},
+                           {"2 pi / N is missing", 1 / weight}});
+    for (const Factor& each : all) {  // with those that a picture may not tell from it: 40 is about 4 pi^2
+        std::string cause = formatted("one factor for all objects, %.3g", each.factor), before = ": perhaps ";
+        for (const auto& [reason, factor] : all)
+            if (std::fabs(factor - each.factor) <= 0.04 * each.factor) cause += std::exchange(before, "; or ") + reason;
+        consider(cause, picture, times(each.factor, 1, truth));
+    }
+}
+
 // The explanation that the picture is nearest to, or an empty text. Where the background proves it, the objects need
 // only be nearer to it than to the truth; otherwise nearly as near as correct pictures are, and not mostly white.
 std::string cause_of(const PictureFile& picture, const View& view, const Expected& expected, const Comparison& beside) {
@@ -133,8 +228,8 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
     if (!is_proof && is_as_bright(view.fingerprint, expected)) return "";
     std::string cause;
     double least = HUGE_VAL;
-    const auto consider = [&](const Explanation& explanation) {
-        const View explained = view_of(explanation.picture, explanation.truth, picture.maxval, view.rounds_down);
+    const auto consider = [&](const std::string& mistake, const Image& image, const Truth& truth) {
+        const View explained = view_of(image, truth, picture.maxval, view.rounds_down);
         const Fingerprint& measured = explained.fingerprint;
         const double share = 1.3 * explained.light / view.light;
         const bool is_near = !(explained.lost > 0.5) && is_as_bright(measured, expected, 1.5, 0.04) &&
@@ -143,7 +238,7 @@ std::string cause_of(const PictureFile& picture, const View& view, const Expecte
         const bool is_nearer = is_proof && measured[rmse_number] < 0.98 * view.fingerprint[rmse_number];
         if (!explained.background.fits() || measured[rmse_number] >= least || !(is_nearer || is_near)) return;
         least = 0.98 * measured[rmse_number];
-        cause = explanation.cause;
+        cause = mistake;
     };
     for (const Truth& truth : expected.truths)
         if (is_proof) explain_whole(picture.image, truth, picture.maxval, consider);
@@ -162,8 +257,8 @@ std::string pattern_of(const View& view, const Expected& expected, const Compari
     if (beside["repeats"].measured > std::max(0.5, beside["repeats"].high))
         return formatted("random numbers or rules repeat %d columns and %d rows away", lag.x, lag.y);
     const double roughness = spread_of(expected.correct, roughness_number).mean;
-    if (beside["correlation"].measured > 0.5 && beside["rmse"].measured >= beside["rmse"].low &&
-        view.fingerprint[roughness_number] < 0.6 * roughness)
+    if (beside["correlation"].measured > std::max(0.5, beside["correlation"].high) &&
+        beside["rmse"].measured >= beside["rmse"].low && view.fingerprint[roughness_number] < 0.6 * roughness)
         return "neighbouring pixels share random numbers, or rules that are not turned";
     return "";
 }
@@ -171,6 +266,8 @@ std::string pattern_of(const View& view, const Expected& expected, const Compari
 // Where the picture errs: its background; all objects alike; or the part that deviates most, and its colours that do so
 // half as much. An empty text if it does so nowhere more than correct pictures.
 std::string place_of(const View& view, const Expected& expected, const Comparison& beside) {
+    if (!view.background.fits() && view.background.outline > 0.5)
+        return "the outline of the objects differs: camera, sphere or rectangle";
     if (!view.background.fits())
         return formatted("it errs most in the background, of which %.3g %% differ", 100 * view.background.differing);
     if (is_as_bright(view.fingerprint, expected)) return "";

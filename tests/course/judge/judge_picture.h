@@ -2,7 +2,6 @@
 // makes: its fingerprint beside those of correct pictures with other seeds.
 #pragma once
 
-#include "causes.h"
 #include "fingerprint.h"
 #include "picture_file.h"
 
