@@ -138,9 +138,8 @@ Examined examine(const Model& model, double noise, const std::vector<Integrand>&
         const GaussianProcess process(*model.covariance, noise, estimate_directions({}, samples, set).directions);
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = sample(integrand, process.directions());
-            const bool dark = process.amplitude(values) == 0;
             examined.verdicts.push_back({process.integral(values) - integrand.truth, process.standard_error(values),
-                                         dark ? 0 : -process.log_evidence(values)});
+                                         process.amplitude(values) > 0 ? -process.log_evidence(values) : 0});
         }
     }
     return examined;

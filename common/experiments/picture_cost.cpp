@@ -136,8 +136,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
     const EnvironmentLight light = prefilter(environment, std::max(1u, std::thread::hardware_concurrency()));
     const Truth truth = truth_for(light, costs);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
-        throw std::invalid_argument(environment.name +
-                                    " lights no object, so there is no error to compare; take another");
+        throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
     for (const PictureSettings& each : compared)
         for (const std::size_t n : samples) {

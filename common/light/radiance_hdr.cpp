@@ -55,11 +55,8 @@ private:
         if (program != "RADIANCE" && program != "RGBE")
             fail("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
         for (std::string line = header_line(); !line.empty(); line = header_line())
-            if (line.compare(0, 7, "FORMAT=") == 0) {
-                line.erase(0, std::min(line.find_first_not_of(' ', 7), line.size()));
-                if (line != "32-bit_rle_rgbe")
-                    fail("format " + quote(line) + " is not supported, only 32-bit_rle_rgbe is");
-            }
+            if (line.compare(0, 7, "FORMAT=") == 0 && line.substr(line.find_last_of("= ") + 1) != "32-bit_rle_rgbe")
+                fail("format " + quote(line.substr(7)) + " is not supported, only 32-bit_rle_rgbe is");
         read_size(header_line());
     }
 
