@@ -139,7 +139,7 @@ Examined examine(const Model& model, double noise, const std::vector<Integrand>&
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = sample(integrand, process.directions());
             examined.verdicts.push_back({process.integral(values) - integrand.truth, process.standard_error(values),
-                                         -process.log_evidence(values)});
+                                         process.amplitude(values) > 0 ? -process.log_evidence(values) : 0});
         }
     }
     return examined;

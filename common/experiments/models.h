@@ -27,7 +27,7 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
 // A process on one set of samples of one integrand: the error of its estimate, and what it says of it.
 struct Verdict {
     double error, predicted;  // of the estimate; the standard error
-    double surprise;          // minus the log evidence
+    double surprise;          // minus the log evidence; 0 for a set of zeros, which says nothing about a model
 };
 
 // A model's verdicts on so many fresh uniform sets of n directions, for every integrand on each set. Verdicts i of two

@@ -1,5 +1,7 @@
 #include "experiments/picture_error.h"
 
+#include "known_light/known_light.h"
+
 #include <cmath>
 
 namespace bmc {
@@ -14,8 +16,15 @@ Truth dense_truth(const EnvironmentLight& light, PictureSettings settings, std::
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = samples;
-    settings.known = Known::light;
-    return truth_of(picture(sphere_scene(), light, settings));
+    const Scene scene = sphere_scene();
+    const Sun sun(light.environment, 4);  // with the edge of a disc, which a lattice would seldom meet
+    const EnvironmentMap sky = sun.sky();
+    const Shade of_sky = reflected_environment(scene, sky, settings);
+    return truth_of(render(scene, light.environment, settings, [&](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(settings, x, y);
+        const Color of_sun = light_of_sun(scene, sun, hit, sun.empty() ? 0 : samples, random).visible;
+        return of_sky(hit, x, y) + sun.light() / (portable::pi * static_cast<double>(samples)) * (hit.albedo * of_sun);
+    }));
 }
 
 ImageError image_error(const Image& image, const Truth& truth) {

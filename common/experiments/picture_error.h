@@ -17,8 +17,8 @@ struct Truth {
 // A picture of the sphere scene as the truth.
 Truth truth_of(Image image);
 
-// The picture by Monte Carlo with so many samples. The light is known, so that a sun does not spoil it. Size, seed and
-// threads are those of the settings.
+// The picture by so many directions on a lattice and, for its bright texels (sun.h), so many rays to them. Nothing is
+// from a table of the light. Size, seed and threads are those of the settings.
 Truth dense_truth(const EnvironmentLight& light, PictureSettings settings, std::size_t samples);
 
 // The error of an image, over the pixels that show an object.

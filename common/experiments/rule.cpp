@@ -77,9 +77,10 @@ std::string rule_report(const GaussianProcess& process, Known known, const std::
     text += formatted("# The weights sum to %.6g, the integral of %s is %.6g; %zu weights are negative.\n", sum,
                       cosine ? "cos(theta)" : "1", cosine ? portable::pi : 2 * portable::pi, negative);
     if (!values.empty())
-        text += formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %.6g\n",
+        text += formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %s\n",
                           cosine ? " times cos(theta)" : "", process.integral(values), process.amplitude(values),
-                          process.standard_error(values));
+                          process.amplitude(values) > 0 ? formatted("%.6g", process.standard_error(values)).c_str()
+                                                        : "unknown: zeros tell no amplitude");
     return text;
 }
 

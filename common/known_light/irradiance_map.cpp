@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <stdexcept>
 
 namespace bmc {
 namespace {
@@ -20,7 +19,7 @@ std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>
 std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
     std::vector<Vec3> azimuths;
-    for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(direction_of({1, 0}, texels.azimuth(i)));
+    for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(direction_of({1, 0}, texels.azimuth(i + 0.5)));
     std::vector<Vec3> fluxes(3 * light_columns * light_rows);
     for (int row = 0; row < texels.rows(); ++row) {
         const portable::SineCosine polar = texels.polar(row + 0.5);
@@ -42,9 +41,6 @@ std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
 // E(n) is the sum of max(n . F, 0) over the fluxes F. Only a cell that the horizon of n cuts counts for too little.
 IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads)
     : grid_(columns + 1, rows + 1), rgb_(3 * (columns + 1) * (rows + 1)) {
-    const float* const light = environment.texels();
-    if (*std::max_element(light, light + 3 * environment.width() * environment.height()) > 1e36f)
-        throw std::runtime_error("the environment is too bright to be known: a radiance exceeds 1e36");
     const std::vector<Vec3> flux = fluxes(environment);
     for_each_row(rows + 1, threads, [&](int row) {
         const portable::SineCosine polar = portable::sincos_turns(0.5 * row / rows);
@@ -55,7 +51,6 @@ IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads
             z[i] = normal.z;
         }
         for (std::size_t f = 0; f < flux.size(); ++f) {
-            if (dot(flux[f], flux[f]) == 0) continue;  // nearly all of a sun's map
             const Direction part(flux[f]);
             const float vertical = static_cast<float>(polar.cosine) * part.y;
             float* sum = sums[f % 3];

@@ -11,12 +11,10 @@
 namespace bmc {
 class IrradianceMap {
 public:
-    // Made by so many threads. Throws std::runtime_error where a radiance exceeds 1e36: its integrals would exceed the
-    // largest float.
+    // Made by so many threads.
     explicit IrradianceMap(const EnvironmentMap& environment, unsigned threads = 1);
 
-    // E(n) of a unit normal, linear RGB. The error is below 1e-3 of the largest E. If much of the light comes from a
-    // source of less than one degree it can be larger: 1.3e-2 if all of it comes from a single texel of 1024 x 512.
+    // E(n) of a unit normal, linear RGB. The error is below 1e-3 of the largest E, if there is no sun (sun.h).
     Color operator()(Vec3 normal) const;
 
 private:

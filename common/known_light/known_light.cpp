@@ -39,16 +39,16 @@ Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hi
     return sky.fraction();
 }
 
-Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, std::size_t rays,
-                  Random& random) {
-    Quotient sun;
+Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t rays, Random& random) {
+    Quotient light;
     for (std::size_t j = 0; j < rays; ++j) {
-        const double stratum = static_cast<double>(j) + random.uniform();
-        const Sun::Ray& ray = light.sun().ray(stratum / static_cast<double>(rays));
+        const double u = (static_cast<double>(j) + random.uniform()) / static_cast<double>(rays);
+        const double v = random.uniform();
+        const Sun::Ray ray = sun.ray(u, v);
         const double cosine = dot(hit.normal, ray.direction);
-        if (cosine > 0) sun.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
+        if (cosine > 0) light.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
     }
-    return sun.fraction();
+    return light;
 }
 
 Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings) {
@@ -59,8 +59,9 @@ Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& li
     return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const auto [rule, frame] = rules->rule_for(hit.normal, random);
-        const Color irradiance = light.sky_irradiance(hit.normal) * visible_sky(scene, means, hit, *rule, frame) +
-                                 light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, rays, random);
+        const Color irradiance =
+            light.sky_irradiance(hit.normal) * visible_sky(scene, means, hit, *rule, frame) +
+            light.sun_irradiance(hit.normal) * light_of_sun(scene, light.sun(), hit, rays, random).fraction();
         return 1 / portable::pi * (hit.albedo * irradiance);
     };
 }

@@ -7,10 +7,10 @@
 // Means over the solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance
 // sampling", Computer Graphics Forum 27(4), 2008.
 //
-// The sun (sun.h) is a light of its own, with the same quotient. Its rays j = 0 .. m - 1 go to the texels after the
-// fractions (j + u_j) / m of its light, where u_j are random numbers of the pixel; w_j is cos(theta_j), 0 below the
-// horizon. If the sun sends the share s of the light, it gets s / 2 of a pixel's samples: the edge of its shadow needs
-// few. The rule for the sky gets the others. Each gets at least one.
+// The sun (sun.h) is a light of its own, with the same quotient. Its rays j = 0 .. m - 1 go to the places after the
+// fractions (j + u_j) / m of its light, v_j down in a texel, where u_j and v_j are random numbers of the pixel, drawn
+// in this order; w_j is cos(theta_j), 0 below the horizon. If the sun sends the share s of the light, it gets s / 2 of
+// a pixel's samples: the edge of its shadow needs few. The rule for the sky gets the others. Each gets at least one.
 #pragma once
 
 #include "known_light/prefiltered_environment.h"
@@ -35,9 +35,8 @@ struct Quotient {
 Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const CosineRule& rule,
                   const Frame& frame);
 
-// The same of the sun's light; rays: how many.
-Color visible_sun(const Scene& scene, const PrefilteredEnvironment& light, const Hit& hit, std::size_t rays,
-                  Random& random);
+// The sums over so many rays to the sun; one of an empty sun has none.
+Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t rays, Random& random);
 
 // The L_o, linear RGB, of a picture's points. Scene and light must outlive it. Throws what the Gaussian processes
 // throw.

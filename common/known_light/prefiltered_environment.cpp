@@ -4,6 +4,9 @@
 #include "numerics/parallel.h"
 #include "quadrature/hemisphere.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace bmc {
 namespace {
 
@@ -24,14 +27,19 @@ std::vector<Direction> cap_directions(double solid_angle) {
     return directions;
 }
 
+const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
+    if (*std::max_element(map.texels(), map.texels() + 3 * map.width() * map.height()) > 1e36f)
+        throw std::runtime_error(map.name + " is too bright to be known: a radiance exceeds 1e36");
+    return map;
+}
+
 }  // namespace
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, unsigned threads)
-    : sun_(map),
-      without_sun_(sun_.empty() ? std::nullopt : std::optional(sun_.keep(Sun::Part::sky))),
+    : sun_(not_too_bright(map)),
+      without_sun_(sun_.empty() ? std::nullopt : std::optional(sun_.sky())),
       sky_(without_sun_ ? *without_sun_ : map),
       irradiance_(sky_, threads) {
-    if (!sun_.empty()) sun_irradiance_.emplace(sun_.keep(Sun::Part::sun), threads);
     const TexelsOnSphere texels(sky_, 256, 128);
     texel_ = texels.solid_angle(texels.rows() / 2);
     double smallest = pi;

@@ -11,7 +11,8 @@
 namespace bmc {
 class PrefilteredEnvironment {
 public:
-    // The map must outlive it. Made by so many threads.
+    // The map must outlive it. Made by so many threads. Throws std::runtime_error where a radiance exceeds 1e36: its
+    // integrals would exceed the largest float.
     explicit PrefilteredEnvironment(const EnvironmentMap& map, unsigned threads = 1);
     PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;
     PrefilteredEnvironment& operator=(const PrefilteredEnvironment&) = delete;
@@ -26,7 +27,7 @@ public:
 
     // E(n) of a unit normal, by the sky, by the sun, and by both.
     Color sky_irradiance(Vec3 normal) const { return irradiance_(normal); }
-    Color sun_irradiance(Vec3 normal) const { return sun_irradiance_ ? (*sun_irradiance_)(normal) : Color{}; }
+    Color sun_irradiance(Vec3 normal) const { return sun_.irradiance(normal); }
     Color irradiance(Vec3 normal) const { return sky_irradiance(normal) + sun_irradiance(normal); }
 
 private:
@@ -41,7 +42,6 @@ private:
     const std::optional<EnvironmentMap> without_sun_;  // where there is one
     const EnvironmentMap& sky_;
     IrradianceMap irradiance_;
-    std::optional<IrradianceMap> sun_irradiance_;
     std::vector<Table> tables_;  // the smallest caps first
     double texel_;               // the solid angle of a texel of the sky
 };

@@ -7,8 +7,6 @@
 namespace bmc {
 namespace {
 
-constexpr double sun_threshold = 100;  // times the mean
-
 double brightness(Color c) { return c.x + c.y + c.z; }
 
 double all_light(const TexelsOnSphere& texels) {
@@ -23,42 +21,56 @@ double all_light(const TexelsOnSphere& texels) {
 
 // The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
 // order are a compact piece of the map, so the edge of a shadow crosses few of the rays' strata.
-std::uint64_t z_order(std::uint64_t row, std::uint64_t column) {
+std::uint64_t z_order(int row, int column) {
     std::uint64_t order = 0;
-    for (int bit = 0; bit < 27; ++bit) order |= (row >> bit & 1) << (2 * bit + 1) | (column >> bit & 1) << 2 * bit;
+    for (int bit = 0; bit < 27; ++bit)
+        order |= std::uint64_t(row >> bit & 1) << (2 * bit + 1) | std::uint64_t(column >> bit & 1) << 2 * bit;
     return order;
 }
 
 }  // namespace
 
-Sun::Sun(const EnvironmentMap& map) : map_(map), all_(all_light(TexelsOnSphere(map, 1, 1))) {
+Sun::Sun(const EnvironmentMap& map, double threshold) : map_(map), all_(all_light(TexelsOnSphere(map, 1, 1))) {
     const TexelsOnSphere texels(map, 1, 1);
-    const double least = sun_threshold * all_ / (4 * portable::pi);
+    const double least = threshold * all_ / (4 * portable::pi);
     for (int row = 0; row < texels.rows(); ++row)
         for (int column = 0; column < texels.columns(); ++column) {
             const Color light = texels(row, column);
             if (!(brightness(light) > least)) continue;
-            const auto i = static_cast<std::uint64_t>(row), j = static_cast<std::uint64_t>(column);
-            const Ray ray{direction_of(texels.polar(row + 0.5), texels.azimuth(column)), 1 / brightness(light) * light};
-            texels_.push_back({z_order(i, j), static_cast<std::size_t>(row * map.width() + column), ray,
+            texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
                                texels.solid_angle(row) * brightness(light)});
         }
     std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
     for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
+    constexpr int parts = 256;
+    for (int i = 0; i < parts && !empty(); ++i) {
+        const double v = 0.6180339887498949 * i;  // of a lattice, where few texels have all the light
+        rays_.push_back(ray((i + 0.5) / parts, v - std::floor(v)));
+        rays_.back().colour = light() / parts * rays_.back().colour;
+    }
 }
 
-const Sun::Ray& Sun::ray(double u) const {
-    const auto after = std::upper_bound(texels_.begin(), texels_.end() - 1, u * texels_.back().light,
-                                        [](double light, const Texel& texel) { return light < texel.light; });
-    return after->ray;
+Sun::Ray Sun::ray(double u, double v) const {
+    const double before = u * light();
+    const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
+                                        [](double light, const Texel& each) { return light < each.light; });
+    const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
+    const TexelsOnSphere texels(map_, 1, 1);
+    const double top = texels.polar(texel->row).cosine, bottom = texels.polar(texel->row + 1).cosine;
+    const double cosine = top + v * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double across = (before - left) / (texel->light - left);
+    return {direction_of({sine, cosine}, texels.azimuth(texel->column + across)), texel->colour};
 }
 
-EnvironmentMap Sun::keep(Part part) const {
-    const float* texels = map_.texels();
-    std::vector<float> sky(texels, texels + 3 * static_cast<std::ptrdiff_t>(map_.width()) * map_.height());
-    std::vector<float> sun(sky.size());
-    for (const Texel& texel : texels_)
-        for (std::size_t i = 3 * texel.index; i < 3 * texel.index + 3; ++i) std::swap(sun[i], sky[i]);
-    return EnvironmentMap(map_.width(), map_.height(), std::move(part == Part::sun ? sun : sky));
+Color Sun::irradiance(Vec3 normal) const {
+    Color sum;
+    for (const Ray& each : rays_) sum += std::max(0.0, dot(normal, each.direction)) * each.colour;
+    return sum;
+}
+
+EnvironmentMap Sun::sky() const {
+    EnvironmentMap sky = map_;
+    for (const Texel& texel : texels_) sky.set(texel.column, texel.row, {});
+    return sky;
 }
 }  // namespace bmc

@@ -11,36 +11,42 @@
 namespace bmc {
 class Sun {
 public:
-    explicit Sun(const EnvironmentMap& map);
+    // The texels of more than so many times the mean.
+    explicit Sun(const EnvironmentMap& map, double threshold = 100);
 
     bool empty() const { return texels_.empty(); }
 
-    // Its light over that of the whole map.
-    double share() const { return empty() ? 0 : texels_.back().light / all_; }
+    // The integral of its R + G + B over all directions, and that over the whole map's.
+    double light() const { return empty() ? 0 : texels_.back().light; }
+    double share() const { return empty() ? 0 : light() / all_; }
 
-    // The map with nothing but the sun, or with all but the sun.
-    enum class Part { sun, sky };
-    EnvironmentMap keep(Part part) const;
+    // The irradiance of a unit normal if nothing is in the way, by 256 rays.
+    Color irradiance(Vec3 normal) const;
 
-    // To the middle of a texel, whose radiance has this colour.
+    // The map without the sun.
+    EnvironmentMap sky() const;
+
+    // The colour is the radiance there over its R + G + B.
     struct Ray {
         Vec3 direction;
         Color colour;
     };
 
-    // The ray to the texel at the fraction u in [0, 1) of all light, if texels are taken in Morton's order.
-    const Ray& ray(double u) const;
+    // The ray after the fraction u in [0, 1) of its light: texels are taken in Morton's order, and each from left to
+    // right. v in [0, 1) is how far down in the texel, w.r.t. solid angle. So uniform u and v follow the light.
+    Ray ray(double u, double v) const;
 
 private:
     struct Texel {
         std::uint64_t order;  // Morton's
-        std::size_t index;
-        Ray ray;
+        int row, column;
+        Color colour;
         double light;  // of this texel and those before it
     };
 
     const EnvironmentMap& map_;
     double all_;
     std::vector<Texel> texels_;
+    std::vector<Ray> rays_;  // with their share of the light
 };
 }  // namespace bmc

@@ -1,9 +1,10 @@
 #include "light/environment.h"
 
+#include "numerics/formatted.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace bmc {
@@ -11,13 +12,12 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
     : grid_(width, height), rgb_(std::move(rgb)) {
     const std::int64_t texels = std::int64_t{width} * height;
     if (width < 1 || height < 1 || texels > max_texels || rgb_.size() != static_cast<std::size_t>(3 * texels))
-        throw std::invalid_argument("environment map of " + std::to_string(width) + " x " + std::to_string(height) +
-                                    " texels with " + std::to_string(rgb_.size()) + " values: it takes 1 to " +
-                                    std::to_string(max_texels) + ", of three values each");
+        throw std::invalid_argument(
+            formatted("environment map of %d x %d texels with %zu values: it takes 1 to %d, of three values each",
+                      width, height, rgb_.size(), max_texels));
     for (const float radiance : rgb_)
         if (!(radiance >= 0 && radiance <= FLT_MAX))
-            throw std::invalid_argument("environment map: " + std::to_string(radiance) +
-                                        " is not a finite radiance >= 0");
+            throw std::invalid_argument(formatted("environment map: %.9g is not a finite radiance >= 0", radiance));
     rgb_.resize(rgb_.size() + padding);
 }
 

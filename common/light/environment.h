@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace bmc {
@@ -94,6 +95,8 @@ public:
         float* rgb = row(y) + 3 * std::ptrdiff_t{x};
         for (const double colour : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(colour);
     }
+
+    std::string name = "the environment";  // for messages
 
     int width() const { return grid_.width(); }
     int height() const { return grid_.height(); }

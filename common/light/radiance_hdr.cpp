@@ -55,7 +55,7 @@ private:
         if (program != "RADIANCE" && program != "RGBE")
             fail("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
         for (std::string line = header_line(); !line.empty(); line = header_line())
-            if (line.compare(0, 7, "FORMAT=") == 0 && line != "FORMAT=32-bit_rle_rgbe")
+            if (line.compare(0, 7, "FORMAT=") == 0 && line.substr(line.find_last_of("= ") + 1) != "32-bit_rle_rgbe")
                 fail("format " + quote(line.substr(7)) + " is not supported, only 32-bit_rle_rgbe is");
         read_size(header_line());
     }

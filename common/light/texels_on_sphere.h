@@ -30,8 +30,8 @@ public:
     // Of the angle between +y and a height in rows, from 0 to rows(): row + 0.5 is the middle of a row.
     portable::SineCosine polar(double height) const { return portable::sincos_turns(0.5 * height / rows_); }
 
-    // Of the middle of a column, from +z over -x.
-    portable::SineCosine azimuth(int column) const { return portable::sincos_turns((column + 0.5) / columns_ - 0.5); }
+    // Of the azimuth, from +z over -x, in columns, likewise.
+    portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns_ - 0.5); }
 
 private:
     const EnvironmentMap& map_;

@@ -87,16 +87,17 @@ void require_closed_form(bool exists) {
 // Also of nan, with which no series ends.
 void require_cosines(const std::vector<double>& cosines) {
     for (const double each : cosines)
-        if (!(each <= 1))
-            throw std::invalid_argument(formatted("an elevation cosine must be at most 1; it is %.17g", each));
+        if (!(each >= 0 && each <= 1))
+            throw std::invalid_argument(
+                formatted("an elevation cosine must be at %s; it is %.17g", each < 0 ? "least 0" : "most 1", each));
 }
 
 }  // namespace
 
 Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
     if (!(smoothness > 1 && smoothness < 2))
-        throw std::invalid_argument("the smoothness must lie between 1 and 2, both excluded; it is " +
-                                    std::to_string(smoothness));
+        throw std::invalid_argument(
+            formatted("the smoothness must lie between 1 and 2, both excluded; it is %.9g", smoothness));
     constant_ = portable::pow(2, 2 * smoothness - 1) / smoothness;
     if (smoothness != 1.5) nodes_ = logarithmic_nodes(rim_step);
     const double two_p = portable::pow(2, exponent_);
@@ -152,7 +153,7 @@ double Sobolev::integral_of_z(Known known) const {
 
 SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length_scale * length_scale)) {
     if (!(length_scale >= 0.05) || !std::isfinite(length_scale))
-        throw std::invalid_argument("the length-scale must be at least 0.05; it is " + std::to_string(length_scale));
+        throw std::invalid_argument(formatted("the length-scale must be at least 0.05; it is %.9g", length_scale));
     // (1 - e^(-2 kappa)) / kappa = 2 e^-kappa sinh(kappa) / kappa, by the series of sinh: no cancellation.
     double term = portable::exp(-kappa_), sum = term;
     for (int m = 1; m < kappa_ || sum + term != sum; ++m) {

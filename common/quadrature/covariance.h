@@ -35,7 +35,7 @@ public:
     // computed side by side.
     virtual void replace_by_covariances(double* squared_chords, std::size_t count) const = 0;
 
-    // z of a direction, by its elevation cosine in [0, 1]; throws std::invalid_argument for one above 1.
+    // z of a direction, by its elevation cosine in [0, 1]; throws std::invalid_argument for any other.
     double z(double cos_theta, Known known = Known::nothing) const {
         std::vector<double> one{cos_theta};
         replace_by_z(one, known);

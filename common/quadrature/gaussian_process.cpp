@@ -1,10 +1,11 @@
 #include "quadrature/gaussian_process.h"
 
+#include "numerics/formatted.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 
 namespace bmc {
 namespace {
@@ -30,13 +31,13 @@ double posterior_variance(double zz, const std::vector<double>& z, const std::ve
 void require_upper_hemisphere(const std::vector<Vec3>& directions) {
     for (const Vec3& direction : directions)
         if (!(direction.y >= 0))
-            throw std::invalid_argument("a direction lies below the horizon: its y is " + std::to_string(direction.y));
+            throw std::invalid_argument(formatted("a direction lies below the horizon: its y is %.9g", direction.y));
 }
 
 void require_valid(double noise, const std::vector<Vec3>& directions) {
     if (directions.empty()) throw std::invalid_argument("a Gaussian process needs at least one direction");
     if (!(noise >= 0 && std::isfinite(noise)))
-        throw std::invalid_argument("the noise must be at least 0; it is " + std::to_string(noise));
+        throw std::invalid_argument(formatted("the noise must be at least 0; it is %.9g", noise));
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ double GaussianProcess::log_evidence(const std::vector<double>& values) const {
 
 void GaussianProcess::require_one_value_per_direction(const std::vector<double>& values) const {
     if (values.size() != directions_.size())
-        throw std::invalid_argument("a Gaussian process of " + std::to_string(directions_.size()) +
-                                    " directions was given " + std::to_string(values.size()) + " values");
+        throw std::invalid_argument(
+            formatted("a Gaussian process of %zu directions was given %zu values", directions_.size(), values.size()));
 }
 }  // namespace bmc

@@ -61,8 +61,9 @@ Shade reflected_shared_light(const Scene& scene, const PrefilteredEnvironment& l
     const auto sky = std::make_shared<const Views>(sky_views(scene, light, settings));
     return [=, &scene, &light, rays = sun_samples(light, settings.samples, sun_part)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
-        const Color irradiance = light.sky_irradiance(hit.normal) * sky->shared_fraction(x, y) +
-                                 light.sun_irradiance(hit.normal) * visible_sun(scene, light, hit, rays, random);
+        const Color irradiance =
+            light.sky_irradiance(hit.normal) * sky->shared_fraction(x, y) +
+            light.sun_irradiance(hit.normal) * light_of_sun(scene, light.sun(), hit, rays, random).fraction();
         return 1 / portable::pi * (hit.albedo * irradiance);
     };
 }

@@ -63,6 +63,10 @@ TEST_CASE("parameters outside their domain are refused with their value") {
     for (double l : {0.0499, 0.0, -1.0, nan_value, infinity})
         CHECK_THROWS_AS(SquaredExponential{l}, std::invalid_argument);
     CHECK_THROWS_WITH(Sobolev().z(1.25), "an elevation cosine must be at most 1; it is 1.25");
+    CHECK_THROWS_WITH(Sobolev().z(-0.5), "an elevation cosine must be at least 0; it is -0.5");
+    CHECK_THROWS_WITH(SquaredExponential().z(-1e-300), "an elevation cosine must be at least 0; it is -1e-300");
+    CHECK_THROWS_WITH(Sobolev(1), "the smoothness must lie between 1 and 2, both excluded; it is 1");
+    CHECK_THROWS_WITH(SquaredExponential(0.04999999), "the length-scale must be at least 0.05; it is 0.04999999");
     CHECK_THROWS_AS(SquaredExponential().z(nan_value), std::invalid_argument);
-    CHECK_THROWS_WITH(SquaredExponential(0.01), "the length-scale must be at least 0.05; it is 0.010000");
+    CHECK_THROWS_WITH(SquaredExponential(0.01), "the length-scale must be at least 0.05; it is 0.01");
 }

@@ -37,7 +37,7 @@ TEST_CASE("an environment map names the value of a texel that is not a radiance"
         rgb[3 * (2 * 4 + 1) + 2] = bad;
         const std::string error = construction_error(4, 3, rgb);
         CAPTURE(error);
-        CHECK(contains(error, std::to_string(bad) + " is not"));
+        CHECK(contains(error, formatted("environment map: %.9g is not", bad)));
     }
 }
 

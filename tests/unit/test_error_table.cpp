@@ -28,6 +28,19 @@ TEST_CASE("Bayesian Monte Carlo beats Monte Carlo on every integrand that varies
     }
 }
 
+TEST_CASE("estimates of Bayesian Monte Carlo do not depend on the number of those of Monte Carlo") {
+    ErrorSettings settings;
+    settings.samples = {10};
+    settings.bmc_estimates = 30;
+    settings.mc_estimates = 100;
+    const ErrorRow many = error_table(practice_integrands()[1], settings)[0];
+    settings.mc_estimates = 3;
+    const ErrorRow few = error_table(practice_integrands()[1], settings)[0];
+    CHECK(few.bmc_error == many.bmc_error);
+    CHECK(few.bmc_predicted == many.bmc_predicted);
+    CHECK(few.mc_error != many.mc_error);
+}
+
 TEST_CASE("an exact estimate has no infinite or undefined gain beside another exact one") {
     CHECK(ErrorRow{10, 0, 0, 0}.gain() == 1);
     CHECK(std::isinf(ErrorRow{10, 1, 0, 0}.gain()));

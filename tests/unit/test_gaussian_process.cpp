@@ -96,11 +96,14 @@ TEST_CASE("the log evidence is the density's logarithm with the best amplitude")
 
 TEST_CASE("a process refuses what is no sample set, and values that do not belong to it") {
     CHECK_THROWS_AS(GaussianProcess(Sobolev(), 0.01, {}), std::invalid_argument);
-    CHECK_THROWS_AS(GaussianProcess(Sobolev(), 0.01, {{0, -1, 0}}), std::invalid_argument);
+    CHECK_THROWS_WITH(GaussianProcess(Sobolev(), 0.01, {{1, -1e-12, 0}}),
+                      "a direction lies below the horizon: its y is -1e-12");
+    CHECK_THROWS_WITH(GaussianProcess(Sobolev(), -1e-12, {{0, 1, 0}}), "the noise must be at least 0; it is -1e-12");
     for (const double noise : {-1e-300, nan_value, infinity})
         CHECK_THROWS_AS(GaussianProcess(Sobolev(), noise, {{0, 1, 0}}), std::invalid_argument);
     const GaussianProcess process(Sobolev(), 0.01, random_directions(3, 4));
     CHECK_THROWS_WITH(process.integral({1, 2}), "a Gaussian process of 3 directions was given 2 values");
+    CHECK_THROWS_WITH(process.integral({1, 2, 3, 4}), "a Gaussian process of 3 directions was given 4 values");
     CHECK_THROWS_AS(process.standard_error({1, 2, 3, 4}), std::invalid_argument);
 }
 

@@ -19,6 +19,20 @@ TEST_CASE("every row is computed once, whatever the number of threads, and progr
     }
 }
 
+// Short rows, so that threads meet at the counter.
+TEST_CASE("no row is computed twice or left out where many threads count short ones") {
+    std::vector<std::atomic<int>> calls(200000);
+    for_each_row(200000, 8, [&](int y) { ++calls[static_cast<std::size_t>(y)]; });
+    CHECK(std::all_of(calls.begin(), calls.end(), [](const std::atomic<int>& count) { return count == 1; }));
+}
+
+TEST_CASE("the progress of one row is 1") {
+    std::vector<double> told;
+    for_each_row(
+        1, 1, [](int) {}, [&](double done) { told.push_back(done); });
+    CHECK(told == std::vector<double>{1});
+}
+
 TEST_CASE("an exception of one row ends the others' work and reaches the caller") {
     for (const unsigned threads : {1u, 2u}) {
         std::atomic<int> calls{0};

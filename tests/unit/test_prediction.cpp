@@ -151,3 +151,15 @@ TEST_CASE("an easy RMSE takes 2 samples, an unreachable one is refused with what
     CHECK(contains(refusal, "an RMSE of 1e-09 is out of reach: 8 samples, the most allowed, have one of 0.0"));
     CHECK(samples_for(1e-9, 4096, scene, {even_map(1, 1, 0)}, settings).rmse == 0);
 }
+
+TEST_CASE("an RMSE under a sun is refused unless the light is known") {
+    const EnvironmentMap map = map_of(64, 32, [](int column, int row) {
+        return column == 50 && row == 10 ? Color{1000, 900, 800} : Color{0.25, 0.5, 0.75};
+    });
+    for (const Known known : {Known::nothing, Known::cosine})
+        CHECK_THROWS_AS(asked_picture(map, small_picture(Method::pool, 1, 10, Placement::cosine_fibonacci, known),
+                                      {Show::picture, 1}, Format::pfm),
+                        UsageError);
+    CHECK_NOTHROW(asked_picture(map, small_picture(Method::pool, 1, 10, Placement::cosine_fibonacci, Known::light),
+                                {Show::picture, 1}, Format::pfm));
+}

@@ -98,6 +98,7 @@ TEST_CASE("a picture that begins like a new-style scanline but is too narrow for
 TEST_CASE("headers may end their lines with CRLF, carry other variables, lack a format, and be followed by anything") {
     const std::string texel = bytes({1, 2, 3, 136});
     for (const std::string& file : {"#?RGBE\r\n# comment\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" + texel,
+                                    "#?RADIANCE\nFORMAT= 32-bit_rle_rgbe \n\n-Y 1 +X 1\n" + texel,
                                     "#?RADIANCE\nEXPOSURE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel + "garbage"})
         CHECK(values(read(file)) == std::vector<float>{1, 2, 3});
 }
@@ -159,4 +160,11 @@ TEST_CASE("a map that is written and read back is off by half a step of its texe
     // 255.6 is nearer to 128 * 2 than to 255, and all of its texel goes in steps of 2.
     CHECK(std::vector<float>(back.begin() + 15, back.begin() + 18) == std::vector<float>{256, 256, 8});
     CHECK(std::vector<float>(back.begin(), back.begin() + 6) == std::vector<float>{0, 0, 0, 1, 0.5f, 0.25f});
+}
+
+TEST_CASE("radiance of 1e-12 and of 2e36 is written and read") {
+    const std::vector<float> back =
+        values(read(to_radiance_hdr(EnvironmentMap(2, 1, {1e-12f, 1e-12f, 0, 2e36f, 0, 1}))));
+    CHECK(relative(back[0], 1e-12) < 1 / 255.0);
+    CHECK(relative(back[3], 2e36) < 1 / 255.0);
 }

@@ -107,6 +107,32 @@ TEST_CASE("every method tends to the same picture, and BMC is nearer to it than 
     }
 }
 
+TEST_CASE("pixels share as many rules as the method says: none where each makes its own") {
+    const auto shared = [](Method method, Placement placement) {
+        RenderSettings settings = small(method, 3);
+        settings.placement = placement;
+        return PixelRules(settings).shared().size();
+    };
+    for (const auto& [name, placement] : placement_names) {
+        CAPTURE(name);
+        CHECK(shared(Method::mc, placement) == (is_lattice(placement) ? 1 : 0));
+        CHECK(shared(Method::direct, placement) == 0);
+        CHECK(shared(Method::single, placement) == 1);
+        CHECK(shared(Method::rotated, placement) == 1);
+        CHECK(shared(Method::pool, placement) == 20);
+    }
+    CHECK(is_lattice(Placement::cosine_fibonacci));
+}
+
+TEST_CASE("the rule of a pixel of its own is gone with it") {
+    for (const Method method : {Method::mc, Method::direct}) {
+        const PixelRules rules(small(method, 3));
+        Random random(1, 0);
+        std::weak_ptr<const CosineRule> kept = rules.rule_for({0, 1, 0}, random).rule;
+        CHECK(kept.expired());
+    }
+}
+
 TEST_CASE("an error in a thread reaches the caller") {
     RenderSettings settings = small(Method::direct);
     settings.covariance = CovarianceFamily::squared_exponential;

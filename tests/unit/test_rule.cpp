@@ -104,3 +104,10 @@ TEST_CASE("values are integrated with an error bar, the process's own") {
     CHECK(estimate > 2 * pi);
     CHECK(estimate < 6 * pi);
 }
+
+TEST_CASE("values that are all zero have no amplitude and no standard error") {
+    const Samples samples = read("0 1 0 0\n0.6 0.8 0 0\n");
+    const GaussianProcess process(Sobolev(), 0.01, samples.directions);
+    CHECK(contains(rule_report(process, Known::nothing, samples.values),
+                   "estimate 0, amplitude 0, standard error unknown: zeros tell no amplitude\n"));
+}
