@@ -98,14 +98,11 @@ TEST_CASE("a shared fraction lies in [0, 1], whatever the pixels see") {
         }
 }
 
-TEST_CASE(
-    "a shared picture has the same bytes with 3 threads and by the textbook's loops, and others by another seed") {
+TEST_CASE("a shared picture has the same bytes by the textbook's loops, and others by another seed") {
     PictureSettings settings = shared(10, 40);
     const auto draw = [&] { return picture(sphere_scene(), light, settings); };
-    const std::string one = to_pfm(draw());
-    settings.threads = 3;
-    CHECK(to_pfm(draw()) == one);
     CHECK(twins_agree(draw));
+    const std::string one = to_pfm(draw());
     settings.seed = 2;
     CHECK(to_pfm(draw()) != one);
 }
