@@ -80,7 +80,7 @@ TEST_CASE("pixels of another object, or of none, do not enter the plane") {
 }
 
 TEST_CASE("fewer than six pixels, or pixels in one row, keep their own fractions") {
-    for (const auto& [width, height] : {std::pair(1, 1), {5, 1}, {40, 1}, {1, 40}, {2, 2}}) {
+    for (const auto& [width, height] : {std::pair(1, 1), {5, 1}, {40, 1}, {1, 450}, {2, 2}}) {
         const Views views = views_of(width, height, [](int x, int y) { return grey((x * 7 + y * 3) % 5 / 5.0); });
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) CHECK(views.shared_fraction(x, y).x == views.at(x, y).fraction.x);
