@@ -72,7 +72,7 @@ mutations:
 	BUILD=$(BUILD) tests/slow/mutations
 
 portability: all $(BUILD)/compare
-	BUILD=$(BUILD) BIN=$(BIN) tests/slow/portability
+	BUILD=$(BUILD) tests/slow/portability
 
 # Needs more memory than some checks leave, which are then skipped.
 SANITIZED = $(BUILD)/sanitizers

@@ -31,13 +31,6 @@ inline double relative(double a, double b) { return std::fabs(a / b - 1); }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// What a reader makes of a file with this content.
-template <class Reader>
-auto read_by(Reader reader, const std::string& content) {
-    std::istringstream in(content);
-    return reader(in);
-}
-
 // The message of the exception that f throws; empty if it throws none.
 template <class Function>
 std::string message_of(Function f) {
@@ -48,6 +41,20 @@ std::string message_of(Function f) {
     }
     return "";
 }
+
+// What a reader makes of a file with this content, and the message with which it refuses it; empty if it does not.
+template <class Result>
+struct TextReader {
+    Result (*reader)(std::istream&);
+
+    Result operator()(const std::string& content) const {
+        std::istringstream in(content);
+        return reader(in);
+    }
+    std::string error(const std::string& content) const {
+        return message_of([&] { (*this)(content); });
+    }
+};
 
 // What the options leave of a program's arguments.
 inline std::vector<std::string> parse(std::vector<std::string> words, const std::vector<Option>& options) {

@@ -113,7 +113,7 @@ TEST_CASE("a number just inside the accepted deviations fits, and one just outsi
     check_border(3, correct_pictures(3, 1), [](double t) { return 0.013 * portable::exp(t * 0.1) - 0.003; });
 }
 
-TEST_CASE("numbers together may be 7 standard deviations away") {
+TEST_CASE("the joint deviation is accepted up to 7") {
     const auto fits = [](double deviations) {
         Fingerprint measured(first_lag + 1, 0.01);
         measured[1] += deviations * 0.001;

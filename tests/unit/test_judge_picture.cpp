@@ -19,13 +19,13 @@ PictureSettings settings_of(Method method, std::size_t samples = 40) {
 Image rendered(Method method) { return render(sphere_scene(), desert, settings_of(method)); }
 
 PictureFile written(const Image& image, bool as_floats = false) {
-    return read_by(read_picture, as_floats ? to_pfm(image) : to_ppm(image));
+    return TextReader<PictureFile>{read_picture}(as_floats ? to_pfm(image) : to_ppm(image));
 }
 
 PictureFile rounded_down(const Image& image, int maxval) {
     std::string text = formatted("P3 %d %d %d\n", image.width(), image.height(), maxval);
     for (const float v : image.rgb()) text += formatted("%d ", static_cast<int>(maxval * srgb_encoded(v)));
-    return read_by(read_picture, text);
+    return TextReader<PictureFile>{read_picture}(text);
 }
 
 Judgement judged(const PictureFile& picture, const EnvironmentMap& map, const PictureSettings& settings) {
@@ -123,7 +123,7 @@ TEST_CASE("a wrong factor, geometry or transfer function is found and named" * d
     CHECK(contains(reason(without_albedo), "likely: the albedo is missing"));
 }
 
-TEST_CASE("what is no such mistake has no cause, but a place" * doctest::test_suite("long")) {
+TEST_CASE("an unknown mistake is not named; the verdict says where it errs" * doctest::test_suite("long")) {
     const Image image = rendered(Method::pool);
     const auto said = [&](auto change) { return reason(with_objects(image, change)); };
     CHECK(said([](Color c, const Hit&, int) { return 0.9 * c; }) == "it errs on all objects alike: 10 % too dark");

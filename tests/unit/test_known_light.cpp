@@ -70,16 +70,6 @@ TEST_CASE("the fast loops give the textbook's bytes where the light is known") {
                                  sphere_below()));
 }
 
-TEST_CASE("1 and 3 threads give the same bytes where the light is known, and others than where it is not") {
-    PictureSettings settings = known_light(Method::pool);
-    const std::string one = to_pfm(picture(sphere_scene(), even_light, settings));
-    settings.threads = 3;
-    CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) == one);
-    CHECK(to_pfm(picture(sphere_scene(), prefilter(even_light.map, 3), settings)) == one);
-    settings.known = Known::nothing;
-    CHECK(to_pfm(picture(sphere_scene(), even_light, settings)) != one);
-}
-
 TEST_CASE("a known light is rendered exactly by every method from one direction on, where nothing is in the way") {
     const TestLight one_texel(map_of(64, 32, [](int column, int row) {
         return column == 20 && row == 4 ? Color{1e4, 0, 0} : Color{};  // that few directions meet
@@ -141,7 +131,7 @@ TEST_CASE("a known sun has rays of its own: a fifth of the error that one rule f
         CHECK(error_of(picture(sphere_scene(), bright_desert, on_good_directions(samples)), truth).rmse < most);
 }
 
-TEST_CASE("sun and sky are the whole light; a light without a sun has the sky's irradiance") {
+TEST_CASE("sun plus sky is the whole irradiance; a light without a sun has the sky's") {
     for (const TestLight* light : lights) {
         const PrefilteredEnvironment& prefiltered = light->prefiltered;
         const IrradianceMap whole(light->map);

@@ -4,11 +4,7 @@
 
 namespace {
 
-PictureFile read(const std::string& content) { return read_by(read_picture, content); }
-
-std::string reading_error(const std::string& content) {
-    return message_of([&] { read(content); });
-}
+const TextReader<PictureFile> read{read_picture};
 
 // A text that may hold zeros.
 template <std::size_t size>
@@ -68,43 +64,42 @@ TEST_CASE("a PFM of either byte order is read, its bottom row first") {
 }
 
 TEST_CASE("what made a picture unreadable is named: converted line ends, a PNG") {
-    CHECK(reading_error("P6\r\n1 1\r\n255\r\nabc") ==
+    CHECK(read.error("P6\r\n1 1\r\n255\r\nabc") ==
           "CR and LF end the header: were its line ends converted? write the file in binary mode");
-    CHECK(reading_error("\x89PNG\r\n") == "a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
-    CHECK(reading_error("P6 1 1 255\rabc") == "");
+    CHECK(read.error("\x89PNG\r\n") == "a PNG; pngtopnm file.png > file.ppm makes of it what is read here");
+    CHECK(read.error("P6 1 1 255\rabc") == "");
 }
 
 TEST_CASE("what is no picture is refused in one line that says what is wrong") {
     for (const std::string text : {"", "P", "P5 1 1 255\n1", "Pf\n1 1\n1\n1234", "#?RADIANCE\n"}) {
         CAPTURE(text);
-        CHECK(reading_error(text) == "it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour)");
+        CHECK(read.error(text) == "it begins neither with P6 or P3 (PPM) nor with PF (PFM in colour)");
     }
-    CHECK(reading_error("P6") == "the file ends where the width should be");
-    CHECK(reading_error("P6 5 0 255\n") == "the height '0' is not a whole number from 1 to 8192");
-    CHECK(reading_error("P6 8193 1 255\n") == "the width '8193' is not a whole number from 1 to 8192");
-    CHECK(reading_error("P6 -1 1 255\n") == "the width '-1' is not a whole number from 1 to 8192");
-    CHECK(reading_error("P6 1 1 256\n") == "the largest code '256' is not a whole number from 1 to 255");
-    CHECK(reading_error("P6 1\x1b[2J 1 255\n") == "the width is not a number: '1...'");
-    CHECK(reading_error("P6 99999999999999999999999 1 255\n") ==
-          "the width is not a number: '99999999999999999999...'");
-    CHECK(reading_error("P6 1 1 255") == "after the header there should be one space or line break");
-    CHECK(reading_error("P6 1 1 9\n\1\2\12") == "row 0: code 10 exceeds the largest, 9");
-    CHECK(reading_error("P3 1 1 9\n1 2 10") == "row 0: the code '10' is not a whole number from 0 to 9");
-    CHECK(reading_error("P3 1 2 9\n1 2 3\n4 x") == "row 1: the code 'x' is not a whole number from 0 to 9");
-    CHECK(reading_error(bytes("PF 1 2 1\n0\0\0\0000\0\0\0000\0\0\0\177\200\0\0")) ==
+    CHECK(read.error("P6") == "the file ends where the width should be");
+    CHECK(read.error("P6 5 0 255\n") == "the height '0' is not a whole number from 1 to 8192");
+    CHECK(read.error("P6 8193 1 255\n") == "the width '8193' is not a whole number from 1 to 8192");
+    CHECK(read.error("P6 -1 1 255\n") == "the width '-1' is not a whole number from 1 to 8192");
+    CHECK(read.error("P6 1 1 256\n") == "the largest code '256' is not a whole number from 1 to 255");
+    CHECK(read.error("P6 1\x1b[2J 1 255\n") == "the width is not a number: '1...'");
+    CHECK(read.error("P6 99999999999999999999999 1 255\n") == "the width is not a number: '99999999999999999999...'");
+    CHECK(read.error("P6 1 1 255") == "after the header there should be one space or line break");
+    CHECK(read.error("P6 1 1 9\n\1\2\12") == "row 0: code 10 exceeds the largest, 9");
+    CHECK(read.error("P3 1 1 9\n1 2 10") == "row 0: the code '10' is not a whole number from 0 to 9");
+    CHECK(read.error("P3 1 2 9\n1 2 3\n4 x") == "row 1: the code 'x' is not a whole number from 0 to 9");
+    CHECK(read.error(bytes("PF 1 2 1\n0\0\0\0000\0\0\0000\0\0\0\177\200\0\0")) ==
           "row 0: a value is infinite or no number");
 }
 
 TEST_CASE("a picture that is cut anywhere is refused, and a header that claims much takes no memory") {
     const std::string three = "P3 3 2 7\n1 2 3 4 5 6 7 6 5 4 3 2 1 0 1 2 3 4";
     for (const std::string& whole : {to_ppm(example()), to_pfm(example()), three}) {
-        CHECK(reading_error(whole) == "");
+        CHECK(read.error(whole) == "");
         bool refused = true;
         for (std::size_t length = 0; length < whole.size(); ++length)
-            refused = refused && !reading_error(whole.substr(0, length)).empty();
+            refused = refused && !read.error(whole.substr(0, length)).empty();
         CHECK(refused);
     }
-    CHECK(reading_error("P6 8192 8192 255\nabc") == "row 0: the file ends inside the picture");
-    CHECK(reading_error("PF 8192 8192 1\nabc") == "row 8191: the file ends inside the picture");
-    CHECK(reading_error("P3 8192 8192 1\n1") == "row 0: the file ends where the code should be");
+    CHECK(read.error("P6 8192 8192 255\nabc") == "row 0: the file ends inside the picture");
+    CHECK(read.error("PF 8192 8192 1\nabc") == "row 8191: the file ends inside the picture");
+    CHECK(read.error("P3 8192 8192 1\n1") == "row 0: the file ends where the code should be");
 }

@@ -4,11 +4,7 @@
 
 namespace {
 
-EnvironmentMap read(const std::string& content) { return read_by(read_radiance_hdr, content); }
-
-std::string reading_error(const std::string& content) {
-    return message_of([&] { read(content); });
-}
+const TextReader<EnvironmentMap> read{read_radiance_hdr};
 
 std::string bytes(const std::vector<int>& values) {
     std::string text;
@@ -87,7 +83,7 @@ TEST_CASE("new-style scanlines have up to 32767 texels") {
 
 TEST_CASE("runs of the oldest kind, a texel (1, 1, 1, n), are refused") {
     for (const std::string& row : {bytes({9, 9, 9, 136, 1, 1, 1, 1}), bytes({1, 1, 1, 2})})
-        CHECK(contains(reading_error(header("-Y 1 +X 2") + row), "row 0: runs of the oldest kind are not supported"));
+        CHECK(contains(read.error(header("-Y 1 +X 2") + row), "row 0: runs of the oldest kind are not supported"));
 }
 
 TEST_CASE("a picture that begins like a new-style scanline but is too narrow for one is flat") {
@@ -106,40 +102,40 @@ TEST_CASE("headers may end their lines with CRLF, carry other variables, lack a 
 TEST_CASE("what is not a Radiance picture is refused with the first line that it should have") {
     for (const std::string file : {"", "#", "P6\n1 1\n255\n", "#?RADIANT\n\n-Y 1 +X 1\n", "RADIANCE\n"}) {
         CAPTURE(file);
-        CHECK(contains(reading_error(file), "first line should be #?RADIANCE or #?RGBE"));
+        CHECK(contains(read.error(file), "first line should be #?RADIANCE or #?RGBE"));
     }
 }
 
 TEST_CASE("formats, orientations and sizes that are not supported are named") {
-    CHECK(contains(reading_error("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n"),
+    CHECK(contains(read.error("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n"),
                    "'32-bit_rle_xyze' is not supported"));
-    CHECK(contains(reading_error(header("+Y 1 +X 1")), "'+Y 1 +X 1' is not supported, only '-Y height +X width'"));
-    CHECK(contains(reading_error(header("\x1b[2J\x01\xff")), "'?[2J?"));
+    CHECK(contains(read.error(header("+Y 1 +X 1")), "'+Y 1 +X 1' is not supported, only '-Y height +X width'"));
+    CHECK(contains(read.error(header("\x1b[2J\x01\xff")), "'?[2J?"));
     for (const std::string size : {"+X 1 -Y 1", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X -5", "-Y 1 +X", "-Y 1 +X 12px",
                                    "-Y 99999999999999999999 +X 1"})
-        CHECK(contains(reading_error(header(size)), "resolution line '" + size + "'"));
-    CHECK(contains(reading_error(header("-Y 8193 +X 8192")), "exceeds the limit of 67108864"));
+        CHECK(contains(read.error(header(size)), "resolution line '" + size + "'"));
+    CHECK(contains(read.error(header("-Y 8193 +X 8192")), "exceeds the limit of 67108864"));
 }
 
 TEST_CASE("headers that do not end are refused") {
-    CHECK(contains(reading_error("#?RADIANCE\n\n-Y 1 +X 1"), "ends inside the header"));
-    CHECK(contains(reading_error("#?" + std::string(5000, 'x')), "longer than 4096"));
+    CHECK(contains(read.error("#?RADIANCE\n\n-Y 1 +X 1"), "ends inside the header"));
+    CHECK(contains(read.error("#?" + std::string(5000, 'x')), "longer than 4096"));
 }
 
 TEST_CASE("a picture that is cut anywhere is refused, and within the picture the row is named") {
     const std::string start = header("-Y 2 +X 8"), file = start + new_style_scanline() + new_style_scanline();
-    for (std::size_t length = 0; length < file.size(); ++length) CHECK(!reading_error(file.substr(0, length)).empty());
-    CHECK(reading_error(start) == "row 0: the file ends inside a scanline");
-    CHECK(reading_error(file.substr(0, file.size() - 1)) == "row 1: the file ends inside a scanline");
-    CHECK(reading_error(header("-Y 8192 +X 8192") + bytes({9, 9, 9, 136})) == "row 0: the file ends inside a scanline");
+    for (std::size_t length = 0; length < file.size(); ++length) CHECK(!read.error(file.substr(0, length)).empty());
+    CHECK(read.error(start) == "row 0: the file ends inside a scanline");
+    CHECK(read.error(file.substr(0, file.size() - 1)) == "row 1: the file ends inside a scanline");
+    CHECK(read.error(header("-Y 8192 +X 8192") + bytes({9, 9, 9, 136})) == "row 0: the file ends inside a scanline");
 }
 
 TEST_CASE("runs that do not fit their scanline are refused") {
     const std::string start = header("-Y 1 +X 8");
     for (const std::vector<int>& row : {std::vector<int>{2, 2, 0, 8, 137, 1}, {2, 2, 0, 8, 9, 1}})
-        CHECK(reading_error(start + bytes(row)) == "row 0: a run goes past the end of the scanline");
-    CHECK(reading_error(start + bytes({2, 2, 0, 8, 0, 1})) == "row 0: a run of length 0");
-    CHECK(reading_error(start + bytes({2, 2, 0, 9})) == "row 0: the scanline announces 9 texels instead of 8");
+        CHECK(read.error(start + bytes(row)) == "row 0: a run goes past the end of the scanline");
+    CHECK(read.error(start + bytes({2, 2, 0, 8, 0, 1})) == "row 0: a run of length 0");
+    CHECK(read.error(start + bytes({2, 2, 0, 9})) == "row 0: the scanline announces 9 texels instead of 8");
 }
 
 TEST_CASE("a map that is written and read back is off by half a step of its texel's largest channel at most") {

@@ -4,11 +4,7 @@
 
 namespace {
 
-Samples read(const std::string& content) { return read_by(read_samples, content); }
-
-std::string reading_error(const std::string& content) {
-    return message_of([&] { read(content); });
-}
+const TextReader<Samples> read{read_samples};
 
 // Whether the printed number, of six significant digits at least, is the value.
 bool prints(const std::string& word, double value) {
@@ -72,20 +68,20 @@ TEST_CASE("directions are read from what rule prints") {
 
 TEST_CASE("a line that is no direction is named") {
     const std::string range = "is not a number from -1e+100 to 1e+100";
-    CHECK(reading_error("0 1 0\n\n0 1 x\n") == "line 3: 'x' " + range);
+    CHECK(read.error("0 1 0\n\n0 1 x\n") == "line 3: 'x' " + range);
     for (const std::string word : {"nan", "inf", "1e999", "0x1"})
-        CHECK(reading_error("0 1 " + word + "\n") == "line 1: '" + word + "' " + range);
+        CHECK(read.error("0 1 " + word + "\n") == "line 1: '" + word + "' " + range);
     for (const char* text : {"0 1 0\n0 1 0 5\n", "0 1\n0 1\n", "0 1 0 1 1 1\n"})
-        CHECK(contains(reading_error(text), " numbers; every line should be x y z, or every line x y z value"));
-    CHECK(reading_error("# up\n0 1.000002 0\n") ==
+        CHECK(contains(read.error(text), " numbers; every line should be x y z, or every line x y z value"));
+    CHECK(read.error("# up\n0 1.000002 0\n") ==
           "line 2: the direction has length 1.000002; it should be 1 within 1e-6");
-    CHECK(reading_error("0.6 -0.8 0\n") == "line 1: the direction lies below the horizon: its y is -0.8");
-    CHECK(reading_error("1 -1e-300 0\n") == "line 1: the direction lies below the horizon: its y is -1e-300");
-    CHECK(reading_error("# nothing\n") == "there are no numbers in it");
+    CHECK(read.error("0.6 -0.8 0\n") == "line 1: the direction lies below the horizon: its y is -0.8");
+    CHECK(read.error("1 -1e-300 0\n") == "line 1: the direction lies below the horizon: its y is -1e-300");
+    CHECK(read.error("# nothing\n") == "there are no numbers in it");
     std::string rows;
     for (int i = 0; i < 4096; ++i) rows += "0 1 0\n";
     CHECK(read(rows).directions.size() == 4096);
-    CHECK(reading_error(rows + "0 1 0\n") == "line 4097: there are more than 4096 directions");
+    CHECK(read.error(rows + "0 1 0\n") == "line 4097: there are more than 4096 directions");
 }
 
 TEST_CASE("values are integrated with an error bar, the process's own") {

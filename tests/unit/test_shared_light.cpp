@@ -80,7 +80,7 @@ TEST_CASE("pixels of another object, or of none, do not enter the plane") {
 }
 
 TEST_CASE("fewer than six pixels, or pixels in one row, keep their own fractions") {
-    for (const auto& [width, height] : {std::pair(1, 1), {5, 1}, {40, 1}, {1, 40}, {2, 2}}) {
+    for (const auto& [width, height] : {std::pair(1, 1), {5, 1}, {40, 1}, {1, 450}, {2, 2}}) {
         const Views views = views_of(width, height, [](int x, int y) { return grey((x * 7 + y * 3) % 5 / 5.0); });
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) CHECK(views.shared_fraction(x, y).x == views.at(x, y).fraction.x);
@@ -98,14 +98,11 @@ TEST_CASE("a shared fraction lies in [0, 1], whatever the pixels see") {
         }
 }
 
-TEST_CASE(
-    "a shared picture has the same bytes with 3 threads and by the textbook's loops, and others by another seed") {
+TEST_CASE("a shared picture has the same bytes by the textbook's loops, and others by another seed") {
     PictureSettings settings = shared(10, 40);
     const auto draw = [&] { return picture(sphere_scene(), light, settings); };
-    const std::string one = to_pfm(draw());
-    settings.threads = 3;
-    CHECK(to_pfm(draw()) == one);
     CHECK(twins_agree(draw));
+    const std::string one = to_pfm(draw());
     settings.seed = 2;
     CHECK(to_pfm(draw()) != one);
 }
