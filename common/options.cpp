@@ -18,9 +18,10 @@ std::function<std::string()> unless_family(const ModelSettings& settings, Covari
 
 ModelOptions::ModelOptions(ModelSettings& s)
     : process{choice_option("covariance", "", covariance_names, s.covariance),
-              useless_while(unless_family(s, CovarianceFamily::sobolev),
-                            real_option("smoothness", "S", "of the Sobolev covariance, between 1 and 2 (default 1.5)",
-                                        s.smoothness, {1.001, 1.999})),
+              useless_while(
+                  unless_family(s, CovarianceFamily::sobolev),
+                  real_option("smoothness", "S", "smoothness of the Sobolev covariance, between 1 and 2 (default 1.5)",
+                              s.smoothness, {1.001, 1.999})),
               useless_while(
                   unless_family(s, CovarianceFamily::squared_exponential),
                   real_option("length-scale", "L", "of the squared-exponential covariance, from 0.05 (default 1)",
@@ -30,8 +31,8 @@ ModelOptions::ModelOptions(ModelSettings& s)
                           {0, 1000}),
               choice_option("known", "known part of the integrand: ", process_known_names, s.known,
                             ", for sobolev with smoothness 1.5")},
-      placement(choice_option("placement", "of the directions: ", placement_names, s.placement)),
-      seed(seed_option("of the random numbers (default 1)", s.seed)) {}
+      placement(choice_option("placement", "placement of the directions: ", placement_names, s.placement)),
+      seed(seed_option("seed of the random numbers (default 1)", s.seed)) {}
 
 Option& ModelOptions::of_process(const std::string& name) {
     return *std::find_if(process.begin(), process.end(), [&](const Option& option) { return option.name == name; });

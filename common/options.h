@@ -1,5 +1,5 @@
 // The options that both programs take: of a Gaussian process and its samples, and of how a picture is rendered. They
-// set the members of a settings struct, which must stay where it is.
+// set the members of a settings struct, which must outlive them and not move.
 #pragma once
 
 #include "command_line.h"

@@ -113,7 +113,7 @@ std::vector<Option> Tradeoff::options() {
     return {name_option("environment", "FILE", std::string(environment_help) + " (default: each built-in light)",
                         environment),
             count_option("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 1024, 2),
-            seed_option("of the random numbers (default 1)", costs.seed),
+            seed_option("seed of the random numbers (default 1)", costs.seed),
             {"all", "", "more settings, with 10 to 160 samples, under one light (default: the desert)",
              [this](const std::string&) { all = true; }},
             {"no-times", "", "leave out what is measured and differs from run to run",

@@ -38,7 +38,7 @@ std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
 
 }  // namespace
 
-// E(n) is the sum of max(n . F, 0) over the fluxes F. Only a cell that the horizon of n cuts counts for too little.
+// E(n) is the sum of max(n . F, 0) over the fluxes F. Only cells cut by n's horizon are underestimated.
 IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads)
     : grid_(columns + 1, rows + 1), rgb_(3 * (columns + 1) * (rows + 1)) {
     const std::vector<Vec3> flux = fluxes(environment);

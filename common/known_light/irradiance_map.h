@@ -11,7 +11,7 @@
 namespace bmc {
 class IrradianceMap {
 public:
-    // Made by so many threads.
+    // threads: how many to use.
     explicit IrradianceMap(const EnvironmentMap& environment, unsigned threads = 1);
 
     // E(n) of a unit normal, linear RGB. The error is below 1e-3 of the largest E, if there is no sun (sun.h).

@@ -11,7 +11,7 @@
 namespace bmc {
 class PrefilteredEnvironment {
 public:
-    // The map must outlive it. Made by so many threads. Throws std::runtime_error where a radiance exceeds 1e36: its
+    // The map must outlive it. threads: how many to use. Throws std::runtime_error where a radiance exceeds 1e36: its
     // integrals would exceed the largest float.
     explicit PrefilteredEnvironment(const EnvironmentMap& map, unsigned threads = 1);
     PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;

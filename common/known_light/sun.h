@@ -1,6 +1,6 @@
-// The sun of an environment map: its texels of more than a hundred times the mean radiance. Hardly a direction of a
-// rule meets them, so they have rays of their own: each kind of light is sampled in the way that suits it (Veach &
-// Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
+// The sun of an environment map: its texels of more than a hundred times the mean radiance. A rule's
+// directions almost never hit them, so they have rays of their own: each kind of light is sampled in the way that suits
+// it (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 #pragma once
 
 #include "light/environment.h"

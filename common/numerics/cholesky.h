@@ -48,8 +48,8 @@ public:
     // x with A x = b. b has n elements.
     std::vector<double> solve(std::vector<double> b) const;
 
-    // A^-1, n x n: column j is what solve returns for e_j. By symmetry half of every column would do. But if A is
-    // nearly singular, columns that mix several solutions have residuals far above rounding.
+    // A^-1, n x n: column j is what solve returns for e_j. Symmetry would give half of each column for free. But if A
+    // is nearly singular, columns that mix several solutions have residuals far above rounding.
     Matrix inverse() const;
 
     // ln det A.

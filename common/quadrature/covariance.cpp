@@ -105,7 +105,7 @@ Sobolev::Sobolev(double smoothness) : exponent_(smoothness - 1) {
     integral_of_z_ = 2 * pi * z_pole - 4 * pi * pi * two_p * (mean_sine_power(exponent_) - 1) / smoothness;
 }
 
-void Sobolev::replace_by_covariances(double* squared_chords, std::size_t count) const {
+void Sobolev::evaluate(double* squared_chords, std::size_t count) const {
     if (has_closed_form())
         for (std::size_t i = 0; i < count; ++i) squared_chords[i] = constant_ - std::sqrt(squared_chords[i]);
     else
@@ -116,7 +116,7 @@ void Sobolev::replace_by_covariances(double* squared_chords, std::size_t count) 
 // The divergence theorem turns the hemisphere integral of r^(2p) into one over the rim, and Kepler's substitution of
 // the eccentric anomaly E for the azimuth removes its pole: z = 2 pi C - 2^s / s * I with
 //     I = integral from 0 to pi of [(1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E)]^p dE.
-void Sobolev::replace_by_z(std::vector<double>& cos_thetas, Known known) const {
+void Sobolev::integrate(std::vector<double>& cos_thetas, Known known) const {
     require_cosines(cos_thetas);
     if (known != Known::nothing) {
         require_closed_form(has_closed_form());
@@ -163,13 +163,13 @@ SquaredExponential::SquaredExponential(double length_scale) : kappa_(1 / (length
     even_part_ = 2 * pi * sum;
 }
 
-void SquaredExponential::replace_by_covariances(double* squared_chords, std::size_t count) const {
+void SquaredExponential::evaluate(double* squared_chords, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) squared_chords[i] = portable::exp(-0.5 * kappa_ * squared_chords[i]);
 }
 
 // 2 pi times the sum over m of t_m B_m, with t_m the terms of the modified Bessel function I_1 and B_m the integral
 // from 0 to c of (1 - u^2)^m du by its recurrence; all positive.
-void SquaredExponential::replace_by_z(std::vector<double>& cos_thetas, Known known) const {
+void SquaredExponential::integrate(std::vector<double>& cos_thetas, Known known) const {
     require_closed_form(known == Known::nothing);
     require_cosines(cos_thetas);
     for (double& element : cos_thetas) {

@@ -27,24 +27,24 @@ public:
 
     // k of a squared chord, in [0, 4].
     double operator()(double squared_chord) const {
-        replace_by_covariances(&squared_chord, 1);
+        evaluate(&squared_chord, 1);
         return squared_chord;
     }
 
     // In place: squared chords become covariances. With one call for many values, those of plain arithmetic are
     // computed side by side.
-    virtual void replace_by_covariances(double* squared_chords, std::size_t count) const = 0;
+    virtual void evaluate(double* squared_chords, std::size_t count) const = 0;
 
     // z of a direction, by its elevation cosine in [0, 1]; throws std::invalid_argument for any other.
     double z(double cos_theta, Known known = Known::nothing) const {
         std::vector<double> one{cos_theta};
-        replace_by_z(one, known);
+        integrate(one, known);
         return one[0];
     }
 
     // In place: elevation cosines become z. This and zz throw std::invalid_argument for a known part with
     // which this covariance has no closed form.
-    virtual void replace_by_z(std::vector<double>& cos_thetas, Known known = Known::nothing) const = 0;
+    virtual void integrate(std::vector<double>& cos_thetas, Known known = Known::nothing) const = 0;
     virtual double integral_of_z(Known known = Known::nothing) const = 0;
 };
 
@@ -58,8 +58,8 @@ public:
     // integral.
     explicit Sobolev(double smoothness = 1.5);
 
-    void replace_by_covariances(double* squared_chords, std::size_t count) const override;
-    void replace_by_z(std::vector<double>& cos_thetas, Known known = Known::nothing) const override;
+    void evaluate(double* squared_chords, std::size_t count) const override;
+    void integrate(std::vector<double>& cos_thetas, Known known = Known::nothing) const override;
     double integral_of_z(Known known = Known::nothing) const override;
 
 private:
@@ -78,8 +78,8 @@ public:
     // l in [0.05, inf). Throws std::invalid_argument below: there e^(-1 / l^2) heads for underflow.
     explicit SquaredExponential(double length_scale = 1);
 
-    void replace_by_covariances(double* squared_chords, std::size_t count) const override;
-    void replace_by_z(std::vector<double>& cos_thetas, Known known = Known::nothing) const override;
+    void evaluate(double* squared_chords, std::size_t count) const override;
+    void integrate(std::vector<double>& cos_thetas, Known known = Known::nothing) const override;
     double integral_of_z(Known known = Known::nothing) const override;
 
 private:

@@ -50,7 +50,7 @@ std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& 
     std::vector<double> z;
     z.reserve(directions.size());
     for (const Vec3& direction : directions) z.push_back(std::min(direction.y, 1.0));
-    covariance.replace_by_z(z, known);
+    covariance.integrate(z, known);
     return z;
 }
 // END SOLUTION
@@ -62,7 +62,7 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
     Matrix q(directions.size(), directions.size());
     for (std::size_t i = 0; i < q.rows(); ++i) {
         for (std::size_t j = i; j < q.rows(); ++j) q(i, j) = squared_distance(directions[i], directions[j]);
-        covariance.replace_by_covariances(&q(i, i), q.rows() - i);
+        covariance.evaluate(&q(i, i), q.rows() - i);
         q(i, i) += noise * noise;
     }
     return q;

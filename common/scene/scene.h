@@ -53,7 +53,7 @@ struct Hit {
 // The first object that the ray meets.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 
-// Whether the light from a direction, a Vec3 or a Direction, meets the object on its way to a point outside of it. It
+// Whether the object blocks light arriving at a point outside of it from a direction, a Vec3 or a Direction. It
 // is computed in the direction's precision and without a branch, so that a loop can try many directions side by side.
 // A sphere shadows if its centre lies ahead and |o|^2 - (o.d)^2 < radius^2, where o is the offset to the centre.
 template <class Vector>
