@@ -67,11 +67,11 @@ inline void end_by(int signal) {
 }
 
 inline int call(int argc, char** argv, std::initializer_list<Task> tasks) {
-    for (const int signal : {SIGABRT, SIGSEGV, SIGALRM}) std::signal(signal, end_by);
+    for (const int signal : {SIGABRT, SIGSEGV, SIGALRM, SIGXCPU}) std::signal(signal, end_by);
     if (argc == 3)
         cause_mark = argv[2];  // and who gives it limits the time
     else
-        alarm(4);  // a processor's time is no limit for a program that sleeps
+        alarm(30);  // the limit of a processor's time ends no program that sleeps
     try {
         for (const Task& task : tasks)
             if (argc >= 2 && std::strcmp(argv[1], task.name) == 0) return task.print(), 0;
