@@ -97,7 +97,8 @@ TEST_CASE("pixels share as many rules as the method says: none where each makes 
         settings.placement = placement;
         return PixelRules(settings).shared().size();
     };
-    for (const auto& [name, placement] : placement_names) {
+    for (const auto& [text, placement] : placement_names) {
+        const std::string name = text;
         CAPTURE(name);
         CHECK(shared(Method::mc, placement) == (is_lattice(placement) ? 1 : 0));
         CHECK(shared(Method::direct, placement) == 0);
