@@ -35,40 +35,42 @@ void set_size(PictureSettings& settings, const std::string& text) {
     }
 }
 
-std::vector<Option> method_options(Request& request) {
-    const PictureOptions options(request.settings);
-    const auto chosen = [&] { return request.prediction.rmse > 0 ? "--rmse chooses their number" : ""; };
-    const PredictionOptions prediction(request.prediction);
-    return {options.method, useless_while(chosen, options.samples), prediction.rmse, options.pool, options.share};
-}
-
-std::vector<Option> picture_options(Request& request) {
+// All options, under the titles that they have in the help text.
+std::vector<std::pair<std::string, std::vector<Option>>> option_groups(Request& request) {
     PictureSettings& settings = request.settings;
+    const PictureOptions of_picture(settings);
+    double& rmse = request.prediction.rmse;
+    const auto chosen = [&rmse] { return rmse > 0 ? "--rmse chooses their number" : ""; };
     return {
-        {"size", "WxH", "in pixels, or W for a square (default 500x500)",
-         [&](const std::string& text) { set_size(settings, text); }},
-        name_option("environment", "FILE", environment_help, request.environment),
-        PredictionOptions(request.prediction).show,
-        {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
-         [&](const std::string& text) { request.format = parse_choice(text, format_names); }},
-        count_option("threads", "T", "changes the time only, not the picture (default: all cores)", settings.threads,
-                     256),
-        {"plain", "", "the textbook's loops: slower, the same bytes", [](const std::string&) { plain_loops = true; }},
-        {"help", "", "this text", [&](const std::string&) { request.help = true; }}};
-}
-
-std::vector<Option> process_options(Request& request) {
-    const PictureOptions options(request.settings);
-    return join({options.process, {options.placement, options.seed}});
+        {"method",
+         {of_picture.method, useless_while(chosen, of_picture.samples),
+          real_option("rmse", "X", "take the fewest samples whose predicted RMSE is at most X", rmse, {1e-9, 1e9}),
+          of_picture.pool, of_picture.share}},
+        {"Gaussian process and its samples",
+         join({of_picture.process, {of_picture.known, of_picture.placement, of_picture.seed}})},
+        {"picture",
+         {{"size", "WxH", "in pixels, or W for a square (default 500x500)",
+           [&](const std::string& text) { set_size(settings, text); }},
+          name_option("environment", "FILE", environment_help, request.environment),
+          choice_option("show", "", show_names, request.prediction.show,
+                        ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
+                        "picture's RMSE"),
+          {"format", "NAME", "ppm (8-bit sRGB, default) or pfm (linear floats)",
+           [&](const std::string& text) { request.format = parse_choice(text, format_names); }},
+          count_option("threads", "T", "changes the time only, not the picture (default: all cores)", settings.threads,
+                       256),
+          {"plain", "", "the textbook's loops: slower, the same bytes", [](const std::string&) { plain_loops = true; }},
+          {"help", "", "this text", [&](const std::string&) { request.help = true; }}}}};
 }
 
 std::string help_text() {
     Request request;
-    return "usage: ./renderer [options] > out.ppm\n\n"
-           "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\nmethod:\n" +
-           describe(method_options(request)) + "\nGaussian process and its samples:\n" +
-           describe(process_options(request)) + "\npicture:\n" + describe(picture_options(request)) +
-           "\nexamples: ./renderer --method mc > mc.ppm\n"
+    std::string text =
+        "usage: ./renderer [options] > out.ppm\n\n"
+        "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\n";
+    for (const auto& [title, options] : option_groups(request)) text += title + ":\n" + describe(options) + '\n';
+    return text +
+           "examples: ./renderer --method mc > mc.ppm\n"
            "          ./renderer --method mc --known light --placement cosine-fibonacci \\\n"
            "              --share > best.ppm\n";
 }
@@ -78,8 +80,9 @@ Request parse(int argc, char** argv) {
     Request request;
     request.settings.threads = std::max(1u, std::thread::hardware_concurrency());
     request.settings.progress = terminal_progress("renderer");
-    const std::vector<std::string> rest =
-        parse_options(argc, argv, join({method_options(request), process_options(request), picture_options(request)}));
+    std::vector<Option> all;
+    for (const auto& [title, options] : option_groups(request)) all.insert(all.end(), options.begin(), options.end());
+    const std::vector<std::string> rest = parse_options(argc, argv, all);
     if (request.help) return request;
     if (!rest.empty()) throw UsageError("unexpected argument '" + rest[0] + "'; options begin with --");
     require_possible(request.settings);

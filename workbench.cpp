@@ -33,22 +33,19 @@ Command command(const char* name, const char* summary) {
 }
 
 // The built-in environment for other programs, as a Radiance picture.
-struct LightFile {
-    std::vector<Option> options() { return {}; }
-    std::string report() const {
-        require_file_output("./workbench light > desert.hdr");
-        return to_radiance_hdr(load_environment());
-    }
-};
+std::string light_file() {
+    require_file_output("./workbench light > desert.hdr");
+    return to_radiance_hdr(load_environment());
+}
 
 // The first is what the workbench does without a command.
 std::vector<Command> commands() {
     return {command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
             command<Rule>("rule", "directions and weights of a rule"),
-            command<LightFile>("light", "the built-in light, > desert.hdr"),
+            {"light", "the built-in light, > desert.hdr", {}, light_file},
             command<Tradeoff>("tradeoff", "what accuracy costs"),
-            command<Models>("models", "covariances and noise compared"),
-            command<Stability>("stability", "where the arithmetic breaks")};
+            {"models", "covariances and noise compared", {}, models_report},
+            {"stability", "where the arithmetic breaks", {}, stability_report}};
 }
 
 // Throws UsageError if there is no such command.
@@ -68,10 +65,7 @@ std::string usage(const Command& command) {
     return text + command.summary + '\n';
 }
 
-std::string help_text(const Command& command) {
-    std::vector<Option> options = command.options;
-    options.push_back(
-        {"help", "", command.name.empty() ? "this text, of a command its options" : "this text", nullptr});
+std::string help_text(const Command& command, const std::vector<Option>& options) {
     if (!command.name.empty()) return "usage: " + usage(command) + '\n' + describe(options);
     std::string text;
     for (const Command& each : commands()) text += (text.empty() ? "usage: " : "       ") + usage(each);
@@ -82,32 +76,25 @@ std::string help_text(const Command& command) {
            "          ./workbench tradeoff --no-times\n";
 }
 
-struct Request {
-    Command command;
-    bool help = false;
-};
-
-// Throws UsageError.
-Request parse(int argc, char** argv) {
+std::string run(int argc, char** argv) {
     const bool named = argc > 1 && argv[1][0] != '-';
-    Request request{named ? command_named(argv[1]) : commands().front()};
-    std::vector<Option> options = request.command.options;
-    options.push_back({"help", "", "", [&](const std::string&) { request.help = true; }});
+    const Command command = named ? command_named(argv[1]) : commands().front();
+    bool help = false;
+    std::vector<Option> options = command.options;
+    options.push_back({"help", "", named ? "this text" : "this text, of a command its options",
+                       [&](const std::string&) { help = true; }});
     try {
         const std::vector<std::string> rest = parse_options(argc - named, argv + named, options);
-        if (!request.help && !rest.empty())
+        if (!help && !rest.empty())
             throw UsageError("unexpected argument '" + rest[0] + "'; a command comes first, and options begin with --");
     } catch (const UsageError& error) {
-        throw UsageError((named ? request.command.name + ": " : "") + error.what());
+        throw UsageError((named ? command.name + ": " : "") + error.what());
     }
-    return request;
+    return help ? help_text(command, options) : command.report();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_program("workbench", [&] {
-        const Request request = parse(argc, argv);
-        return request.help ? help_text(request.command) : request.command.report();
-    });
+    return run_program("workbench", [&] { return run(argc, argv); });
 }

@@ -1,11 +1,7 @@
 #include "options.h"
 
-#include <algorithm>
-
 namespace bmc {
 namespace {
-
-constexpr long max_lattice_samples = 1000000;
 
 std::function<std::string()> unless_family(const ModelSettings& settings, CovarianceFamily family) {
     return [&settings, family] {
@@ -28,15 +24,11 @@ ModelOptions::ModelOptions(ModelSettings& s)
                               s.length_scale, {0.05, 1e6})),
               real_option("noise", "X",
                           "standard deviation of a sample's error, divided by the amplitude (default 0.01)", s.noise,
-                          {0, 1000}),
-              choice_option("known", "known part of the integrand: ", process_known_names, s.known,
-                            ", for sobolev with smoothness 1.5")},
+                          {0, 1000})},
+      known(choice_option("known", "known part of the integrand: ", process_known_names, s.known,
+                          ", for sobolev with smoothness 1.5")),
       placement(choice_option("placement", "placement of the directions: ", placement_names, s.placement)),
       seed(seed_option("seed of the random numbers (default 1)", s.seed)) {}
-
-Option& ModelOptions::of_process(const std::string& name) {
-    return *std::find_if(process.begin(), process.end(), [&](const Option& option) { return option.name == name; });
-}
 
 void require_closed_form(const ModelSettings& settings) {
     try {
@@ -44,23 +36,5 @@ void require_closed_form(const ModelSettings& settings) {
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
-}
-
-RenderOptions::RenderOptions(RenderSettings& s)
-    : ModelOptions(s),
-      method(choice_option("method", "", method_names, s.method)),
-      samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, max_lattice_samples)),
-      pool(useless_while([&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; },
-                         count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
-    const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
-    for (Option& option : process) option = useless_while(no_process, option);
-}
-
-void require_possible(const RenderSettings& settings) {
-    const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
-    if (!one_lattice && settings.samples > max_process_samples)
-        throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
-                         std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
-    require_closed_form(settings);
 }
 }  // namespace bmc

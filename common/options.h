@@ -1,9 +1,9 @@
-// The options that both programs take: of a Gaussian process and its samples, and of how a picture is rendered. They
-// set the members of a settings struct, which must outlive them and not move.
+// The options that both programs take: of a Gaussian process and its samples. They set the members of a settings
+// struct, which must outlive them and not move.
 #pragma once
 
 #include "command_line.h"
-#include "scene/render.h"
+#include "quadrature/quadrature.h"
 
 #include <vector>
 
@@ -17,25 +17,12 @@ constexpr const char* environment_help =
     "the directions bring light)";
 
 struct ModelOptions {
-    std::vector<Option> process;  // covariance, smoothness, length-scale, noise, known part
-    Option placement, seed;
+    std::vector<Option> process;  // covariance, smoothness, length-scale, noise
+    Option known, placement, seed;
 
     explicit ModelOptions(ModelSettings& settings);
-
-    // The option of the process that has this name.
-    Option& of_process(const std::string& name);
 };
 
 // Throws UsageError for a known part with which the covariance has no closed form.
 void require_closed_form(const ModelSettings& settings);
-
-// Monte Carlo takes no option of a process.
-struct RenderOptions : ModelOptions {
-    Option method, samples, pool;
-
-    explicit RenderOptions(RenderSettings& settings);
-};
-
-// Throws UsageError for settings that no picture can be rendered by.
-void require_possible(const RenderSettings& settings);
 }  // namespace bmc

@@ -1,7 +1,6 @@
 #include "prediction.h"
 
 #include "numerics/formatted.h"
-#include "scene/object_pixels.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -31,12 +30,6 @@ Image grey_scale(const Image& errors, double white) {
 }
 
 }  // namespace
-
-PredictionOptions::PredictionOptions(Prediction& p)
-    : rmse(real_option("rmse", "X", "take the fewest samples whose predicted RMSE is at most X", p.rmse, {1e-9, 1e9})),
-      show(choice_option("show", "", show_names, p.show,
-                         ": the predicted standard error of every pixel; as PPM black is 0, and white twice the "
-                         "picture's RMSE")) {}
 
 PictureSettings second(PictureSettings settings) {
     ++settings.seed;

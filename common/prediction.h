@@ -19,12 +19,6 @@ struct Prediction {
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 };
 
-struct PredictionOptions {
-    Option rmse, show;
-
-    explicit PredictionOptions(Prediction& prediction);
-};
-
 // The settings of the second picture of a pair: they have the next seed.
 PictureSettings second(PictureSettings settings);
 
@@ -48,7 +42,7 @@ struct ChosenSamples {
 
 // The fewest samples whose predicted RMSE is at most the target, but at least 2, or 8 where pixels share: all pixels
 // have the error of too small a lattice, and no two pictures show it. Pilots try 2, 4, 8, ...; between the last two the
-// RMSE is interpolated as a power of the samples. A pilot makes eight processes in place of a pool or of one for each
+// RMSE is interpolated as a power of the samples. A pilot makes four processes in place of a pool or of one for each
 // pixel: that does not change the expected error. Throws std::runtime_error, which tells the RMSE of the most samples,
 // at least 4, if they do not suffice; and what the Gaussian processes throw.
 ChosenSamples samples_for(double target, std::size_t most, const Scene& scene, const EnvironmentLight& light,

@@ -1,8 +1,6 @@
 #include "experiments/error_table.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "quadrature/gaussian_process.h"
@@ -53,11 +51,6 @@ ErrorRow error_row(const Integrand& integrand, const Covariance& covariance, con
 
 }  // namespace
 
-double ErrorRow::gain() const {
-    if (bmc_error > 0) return mc_error / bmc_error;
-    return mc_error > 0 ? std::numeric_limits<double>::infinity() : 1;
-}
-
 std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings) {
     const std::unique_ptr<Covariance> covariance = settings.make_covariance();
     std::vector<ErrorRow> rows;
@@ -96,7 +89,7 @@ std::vector<Option> ErrorTables::options() {
           count_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)", settings.bmc_estimates,
                        max_estimates)},
          model.process,
-         {model.placement, model.seed}});
+         {model.known, model.placement, model.seed}});
 }
 
 std::string ErrorTables::report() const {

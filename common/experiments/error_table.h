@@ -2,6 +2,7 @@
 // samples.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ struct ErrorRow {
     double mc_error, bmc_error, bmc_predicted;
 
     // How many times smaller the error of Bayesian Monte Carlo is.
-    double gain() const;
+    double gain() const {
+        if (bmc_error > 0) return mc_error / bmc_error;
+        return mc_error > 0 ? HUGE_VAL : 1;
+    }
 
     // Samples with which Monte Carlo would have that error: its error falls as 1 / sqrt(n).
     double equivalent_mc_samples() const { return static_cast<double>(samples) * gain() * gain(); }

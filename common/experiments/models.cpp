@@ -184,7 +184,7 @@ double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t sa
     return error.value();
 }
 
-std::string Models::report() const {
+std::string models_report() {
     const std::vector<Column> columns = all_columns();
     return model_table(columns) + choice_table(columns) + coverage_table(columns);
 }

@@ -54,8 +54,6 @@ Choice choice_by_evidence(const std::vector<Examined>& models);
 // Root mean square error of Monte Carlo on the same sets.
 double monte_carlo_rmse(const std::vector<Integrand>& integrands, std::size_t n, std::size_t sets);
 
-struct Models {
-    std::vector<Option> options() { return {}; }
-    std::string report() const;
-};
+// What `workbench models` prints.
+std::string models_report();
 }  // namespace bmc

@@ -35,10 +35,6 @@ PictureSettings with_size(const CostSettings& costs, PictureSettings settings, s
     return settings;
 }
 
-Truth truth_for(const EnvironmentLight& light, const CostSettings& costs) {
-    return dense_truth(light, with_size(costs, {}, 0), 10000);
-}
-
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
 double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings settings) {
     constexpr int size = 64;
@@ -80,11 +76,6 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
     }
     return {settings, rmse.value(), rmse.standard_error(), predicted.value(),
             covered,  correlation,  brightness.value(),    0};
-}
-
-std::string name_columns(const PictureSettings& s) {
-    return formatted("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool,
-                     name_of(s.placement, placement_names), s.shared ? "shared" : name_of(s.known, known_names));
 }
 
 }  // namespace
@@ -134,7 +125,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
                                        const std::vector<std::size_t>& samples, const CostSettings& costs,
                                        const Progress& progress) {
     const EnvironmentLight light = prefilter(environment, std::max(1u, std::thread::hardware_concurrency()));
-    const Truth truth = truth_for(light, costs);
+    const Truth truth = dense_truth(light, with_size(costs, {}, 0), 10000);
     if (!(image_error(truth.image, truth).brightness == 0))  // 0 / 0
         throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
@@ -155,13 +146,15 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         "mc_samples  predicted within%s\n",
         timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
-        const std::size_t n = row.settings.samples;
-        const PictureCost& mc = *std::find_if(rows.begin(), rows.end(),
-                                              [&](const PictureCost& first) { return first.settings.samples == n; });
+        const PictureSettings& s = row.settings;
+        const PictureCost& mc = *std::find_if(
+            rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const double gain = mc.rmse * mc.rmse / (row.rmse * row.rmse);
-        text += name_columns(row.settings) + formatted(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g %10.5f %6.3f", n,
-                                                       row.rmse, row.rmse_error, row.correlation, row.brightness,
-                                                       static_cast<double>(n) * gain, row.predicted, row.coverage);
+        text += formatted("%-8s %5zu %-16s %-7s", name_of(s.method, method_names), s.pool,
+                          name_of(s.placement, placement_names), s.shared ? "shared" : name_of(s.known, known_names)) +
+                formatted(" %7zu %10.5f %10.5f %11.4f %10.5f %10.4g %10.5f %6.3f", s.samples, row.rmse, row.rmse_error,
+                          row.correlation, row.brightness, static_cast<double>(s.samples) * gain, row.predicted,
+                          row.coverage);
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);

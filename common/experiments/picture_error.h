@@ -2,7 +2,6 @@
 #pragma once
 
 #include "picture.h"
-#include "scene/object_pixels.h"
 
 #include <vector>
 

@@ -93,7 +93,7 @@ std::vector<Option> Rule::options() {
                               directions),
                   {"matrices", "", "print Q and its inverse, too", [this](const std::string&) { matrices = true; }}},
                  model.process,
-                 {useless_while(drawn, model.placement), useless_while(drawn, model.seed)}});
+                 {model.known, useless_while(drawn, model.placement), useless_while(drawn, model.seed)}});
 }
 
 std::string Rule::report() const {

@@ -81,7 +81,7 @@ std::optional<double> weight_error(const std::vector<Vec3>& directions, const Mo
     return error / largest;
 }
 
-std::string Stability::report() const {
+std::string stability_report() {
     std::string text =
         "# Where the arithmetic breaks: of the 16 digits of the weights, how many stay the same when all directions "
         "are\n"

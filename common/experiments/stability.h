@@ -3,7 +3,6 @@
 // change a weight (covariance.h), but it changes every rounding error. The digits that stay the same are right.
 #pragma once
 
-#include "command_line.h"
 #include "experiments/models.h"
 
 #include <optional>
@@ -26,8 +25,6 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 // set is refused, nothing if the set itself is.
 std::optional<double> weight_error(const std::vector<Vec3>& directions, const Model& model, double noise);
 
-struct Stability {
-    std::vector<Option> options() { return {}; }
-    std::string report() const;
-};
+// What `workbench stability` prints.
+std::string stability_report();
 }  // namespace bmc

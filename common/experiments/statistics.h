@@ -18,10 +18,8 @@ struct Statistics {
         squares += difference * (number - mean);
     }
 
-    double deviation() const { return std::sqrt(squares / count); }
-
     // Of the mean.
-    double standard_error() const { return deviation() / std::sqrt(count - 1); }
+    double standard_error() const { return std::sqrt(squares / count) / std::sqrt(count - 1); }
 };
 
 struct RootMeanSquare {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace bmc {
 namespace {
@@ -78,18 +77,6 @@ const char* const measured =
     "# relative to mc.\n";
 
 }  // namespace
-
-double IntegralCost::rule_seconds() const { return std::accumulate(seconds.begin(), seconds.end() - 1, 0.0); }
-
-double IntegralCost::equivalent_mc_samples() const {
-    const double ratio = mc_error / bmc_error;
-    return static_cast<double>(samples) * ratio * ratio;
-}
-
-double IntegralCost::integrals_to_pay_off() const {
-    const double mc_sample = (seconds.front() + seconds.back()) / static_cast<double>(samples);
-    return rule_seconds() / (equivalent_mc_samples() * mc_sample - seconds.back());
-}
 
 std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed) {
     const Sobolev covariance;

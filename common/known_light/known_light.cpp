@@ -18,11 +18,6 @@ RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironmen
     return settings;
 }
 
-void Quotient::add(Color light, double visibility) {
-    all += light;
-    visible += visibility * light;
-}
-
 Color Quotient::fraction() const {
     const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
     return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};

@@ -27,8 +27,12 @@ RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironmen
 struct Quotient {
     Color all, visible;
 
-    void add(Color light, double visibility);  // 0 or 1
-    Color fraction() const;                    // in [0, 1]; 1 for a colour that no ray carries
+    void add(Color light, bool arrives) {
+        all += light;
+        if (arrives) visible += light;
+    }
+
+    Color fraction() const;  // in [0, 1]; 1 for a colour that no ray carries
 };
 
 // The fraction of each colour of the sky's light that passes the other object.

@@ -87,4 +87,19 @@ template <class Vector>
 bool is_shadowed(const Scene& scene, const Hit& hit, Vector direction) {
     return of_other_object(scene, hit, [&](const auto& other) { return is_shadowed_by(other, hit.point, direction); });
 }
+
+// Calls f(x, y, hit) for each pixel that shows an object, row after row.
+template <class Function>
+void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x)
+            if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
+}
+
+// The number of these pixels.
+inline double object_pixels(const Scene& scene, const Camera& camera) {
+    double count = 0;
+    for_each_hit(scene, camera, [&](int, int, const Hit&) { ++count; });
+    return count;
+}
 }  // namespace bmc

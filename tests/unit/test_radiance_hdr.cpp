@@ -110,7 +110,6 @@ TEST_CASE("formats, orientations and sizes that are not supported are named") {
     CHECK(contains(read.error("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n"),
                    "'32-bit_rle_xyze' is not supported"));
     CHECK(contains(read.error(header("+Y 1 +X 1")), "'+Y 1 +X 1' is not supported, only '-Y height +X width'"));
-    CHECK(contains(read.error(header("\x1b[2J\x01\xff")), "'?[2J?"));
     for (const std::string size : {"+X 1 -Y 1", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X -5", "-Y 1 +X", "-Y 1 +X 12px",
                                    "-Y 99999999999999999999 +X 1"})
         CHECK(contains(read.error(header(size)), "resolution line '" + size + "'"));

@@ -20,7 +20,8 @@ std::vector<Option> options(Request& request) {
     return join(
         {{of_picture.method, of_picture.samples, of_picture.pool, of_picture.placement},
          of_picture.process,
-         {name_option("environment", "FILE", std::string("the pictures' ") + environment_help, request.environment),
+         {of_picture.known,
+          name_option("environment", "FILE", std::string("the pictures' ") + environment_help, request.environment),
           {"help", "", "this text", [&](const std::string&) { request.help = true; }}}});
 }
 
