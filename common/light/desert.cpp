@@ -142,12 +142,10 @@ EnvironmentMap desert(double sunlight, unsigned threads) {
             row.z[i] = -polar.sine * azimuths[i].cosine;
         }
         paint(row, polar.cosine);
-        float* value = map.row(j);
         for (int i = 0; i < width; ++i) {
             const double to_sun = sunlight > 1 ? 0.5 + 0.5 * dot({row.x[i], row.y[i], row.z[i]}, sun) : 0;
             const double brightness = 1 + (sunlight - 1) * sun_disc(to_sun);
-            for (const double component : {row.red[i], row.green[i], row.blue[i]})
-                *value++ = static_cast<float>(brightness * clamp01(component));
+            map.set(i, j, brightness * Color{clamp01(row.red[i]), clamp01(row.green[i]), clamp01(row.blue[i])});
         }
     });
     return map;

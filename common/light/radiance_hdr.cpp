@@ -1,13 +1,13 @@
 #include "light/radiance_hdr.h"
 
+#include "numerics/formatted.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <istream>
 #include <sstream>
 #include <stdexcept>
-#include <streambuf>
-#include <utility>
 #include <vector>
 
 namespace bmc {
@@ -31,13 +31,6 @@ private:
         throw std::runtime_error(row_ < 0 ? problem : "row " + std::to_string(row_) + ": " + problem);
     }
 
-    // Text from the file, fit for an error message of one line.
-    static std::string quote(const std::string& text) {
-        std::string quoted = "'";
-        for (const char c : text.substr(0, 60)) quoted += c >= ' ' && c <= '~' ? c : '?';
-        return quoted + (text.size() > 60 ? "...'" : "'");
-    }
-
     std::string header_line() {
         std::string line;
         for (int c = bytes_.sbumpc(); c != '\n'; c = bytes_.sbumpc()) {
@@ -56,7 +49,7 @@ private:
             fail("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
         for (std::string line = header_line(); !line.empty(); line = header_line())
             if (line.compare(0, 7, "FORMAT=") == 0 && line.substr(line.find_last_of("= ") + 1) != "32-bit_rle_rgbe")
-                fail("format " + quote(line.substr(7)) + " is not supported, only 32-bit_rle_rgbe is");
+                fail("format '" + line.substr(7) + "' is not supported, only 32-bit_rle_rgbe is");
         read_size(header_line());
     }
 
@@ -65,10 +58,10 @@ private:
         std::string y, x, more;
         words >> y >> height_ >> x >> width_;
         if (!words || words >> more || y != "-Y" || x != "+X" || width_ < 1 || height_ < 1)
-            fail("resolution line " + quote(line) + " is not supported, only '-Y height +X width' is");
+            fail("resolution line '" + line + "' is not supported, only '-Y height +X width' is");
         if (std::int64_t{width_} * height_ > EnvironmentMap::max_texels)
-            fail("a picture of " + std::to_string(width_) + " x " + std::to_string(height_) +
-                 " texels exceeds the limit of " + std::to_string(EnvironmentMap::max_texels));
+            fail(formatted("a picture of %d x %d texels exceeds the limit of %d", width_, height_,
+                           EnvironmentMap::max_texels));
     }
 
     unsigned char byte() {
@@ -101,9 +94,7 @@ private:
             return;
         }
         const int announced = first[2] * 256 + first[3];
-        if (announced != width_)
-            fail("the scanline announces " + std::to_string(announced) + " texels instead of " +
-                 std::to_string(width_));
+        if (announced != width_) fail(formatted("the scanline announces %d texels instead of %d", announced, width_));
         scanline_.resize(static_cast<std::size_t>(width_));
         for (std::size_t component = 0; component < 4; ++component) read_component(component);
         for (const Rgbe& rgbe : scanline_) append(rgbe);
@@ -133,8 +124,7 @@ private:
 EnvironmentMap read_radiance_hdr(std::istream& in) { return RadianceReader(*in.rdbuf()).read(); }
 
 std::string to_radiance_hdr(const EnvironmentMap& map) {
-    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(map.height()) + " +X " +
-                        std::to_string(map.width()) + '\n';
+    std::string bytes = formatted("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", map.height(), map.width());
     const auto append = [&](double byte) { bytes += static_cast<char>(static_cast<unsigned char>(byte)); };
     const float* const end = map.texels() + 3 * std::ptrdiff_t{map.width()} * map.height();
     for (const float* rgb = map.texels(); rgb != end; rgb += 3) {

@@ -13,9 +13,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double ln2_hi = 0x1.62e42feep-1;
 constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
 
-// 2^k for -1022 <= k <= 1023.
-double power_of_two(int k) { return from_bits(static_cast<std::uint64_t>(1023 + k) << 52); }
-
 // x with only the leading bits of its significand: a product is exact if the bits of its factors add up to 53 or less.
 template <int bits>
 double leading_bits(double x) {
@@ -34,21 +31,6 @@ Sum fast_two_sum(double a, double b) {
     return {sum, (a - sum) + b};
 }
 
-// x = 2^exponent * significand with lower_bound <= significand < 2 lower_bound, for finite x > 0 and a lower bound in
-// [1/2, 1].
-struct Decomposition {
-    double exponent, significand;
-};
-
-Decomposition decompose(double x, double lower_bound) {
-    constexpr std::uint64_t one = std::uint64_t{1023} << 52;
-    const bool subnormal = x < DBL_MIN;
-    const std::uint64_t bits = bits_of(subnormal ? x * 0x1p54 : x);
-    const std::uint64_t biased = (bits - bits_of(lower_bound) + one) >> 52;  // exponent + 1023, which is positive
-    const double exponent = static_cast<double>(static_cast<int>(biased) - (subnormal ? 1023 + 54 : 1023));
-    return {exponent, from_bits(bits - (biased << 52) + one)};
-}
-
 }  // namespace
 
 // 2^k e^r with |r| <= ln(2) / 2. The series e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!) is cut off below 2^-57;
@@ -64,10 +46,7 @@ double exp(double x) {
     const double square = r.hi * r.hi;
     const double tail = square * (polynomial(even, square) + r.hi * polynomial(odd, square));
     const Sum linear = fast_two_sum(1, r.hi);
-    const double mantissa = linear.hi + (linear.lo + (r.lo * linear.hi + tail));
-    // Two steps, since 2^k alone can be too small or too large for a double although the result is not.
-    const int exponent = static_cast<int>(k), half = exponent / 2;
-    return mantissa * power_of_two(half) * power_of_two(exponent - half);
+    return std::ldexp(linear.hi + (linear.lo + (r.lo * linear.hi + tail)), static_cast<int>(k));
 }
 
 double log(double x) {
@@ -78,7 +57,9 @@ double log(double x) {
     // e_log.c, 1993).
     constexpr double even[] = {2.0 / 3, 2.0 / 7, 2.0 / 11, 2.0 / 15, 2.0 / 19};
     constexpr double odd[] = {2.0 / 5, 2.0 / 9, 2.0 / 13, 2.0 / 17, 2.0 / 21};
-    const auto [k, m] = decompose(x, 0x1.6a09e667f3bcdp-1);  // sqrt(1/2)
+    int k;  // x = 2^k m with m from sqrt(1/2) to sqrt(2)
+    double m = std::frexp(x, &k);
+    if (m < 0x1.6a09e667f3bcdp-1) m *= 2, --k;
     const double f = m - 1, half_square = 0.5 * f * f;
     const double s = f / (2 + f), z = s * s, fourth = z * z;
     const double R = z * (polynomial(even, fourth) + z * polynomial(odd, fourth));

@@ -9,38 +9,36 @@ Vec3 direction_at(double cos_theta, double turns) {
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
 
-// Both families take the elevation cosine to be a function of a number that is uniform in (0, 1].
-template <class Elevation>
-std::vector<Vec3> random_directions(std::size_t n, Random& random, Elevation cosine_of) {
+// The elevation cosine by a number that is uniform in (0, 1].
+double elevation(double u, bool by_cosine) { return by_cosine ? std::sqrt(u) : u; }
+
+std::vector<Vec3> random_directions(std::size_t n, Random& random, bool by_cosine) {
     std::vector<Vec3> directions(n);
     for (Vec3& direction : directions) {
         const double u = 1 - random.uniform();
         const double turns = random.uniform();
-        direction = direction_at(cosine_of(u), turns);
+        direction = direction_at(elevation(u, by_cosine), turns);
     }
     return directions;
 }
 
-template <class Elevation>
-std::vector<Vec3> lattice_directions(std::size_t n, Elevation cosine_of) {
+std::vector<Vec3> lattice_directions(std::size_t n, bool by_cosine) {
     constexpr double golden = 0.61803398874989484820;  // the golden ratio less 1
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double index = static_cast<double>(i);
-        directions[i] = direction_at(cosine_of(1 - (index + 0.5) / static_cast<double>(n)), index * golden);
+        const double u = 1 - (index + 0.5) / static_cast<double>(n);
+        directions[i] = direction_at(elevation(u, by_cosine), index * golden);
     }
     return directions;
 }
 
-double itself(double u) { return u; }
-double root(double u) { return std::sqrt(u); }
-
 }  // namespace
 
-std::vector<Vec3> uniform_directions(std::size_t n, Random& random) { return random_directions(n, random, itself); }
-std::vector<Vec3> fibonacci_directions(std::size_t n) { return lattice_directions(n, itself); }
-std::vector<Vec3> cosine_directions(std::size_t n, Random& random) { return random_directions(n, random, root); }
-std::vector<Vec3> cosine_fibonacci_directions(std::size_t n) { return lattice_directions(n, root); }
+std::vector<Vec3> uniform_directions(std::size_t n, Random& random) { return random_directions(n, random, false); }
+std::vector<Vec3> fibonacci_directions(std::size_t n) { return lattice_directions(n, false); }
+std::vector<Vec3> cosine_directions(std::size_t n, Random& random) { return random_directions(n, random, true); }
+std::vector<Vec3> cosine_fibonacci_directions(std::size_t n) { return lattice_directions(n, true); }
 
 Vec3 rotate_around_y(Vec3 direction, double turns) {
     const auto [sine, cosine] = portable::sincos_turns(turns);

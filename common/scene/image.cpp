@@ -1,16 +1,13 @@
 #include "scene/image.h"
 
+#include "numerics/formatted.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 namespace bmc {
 namespace {
-
-std::string header(const char* magic, const Image& image, const char* scale) {
-    return std::string(magic) + '\n' + std::to_string(image.width()) + ' ' + std::to_string(image.height()) + '\n' +
-           scale + '\n';
-}
 
 // The bytes of linear values. Byte k begins at threshold k, where the transfer function is (k - 1/2) / 255. It is
 // nowhere steeper than 12.92, so thresholds are at least 1 / 3295 apart, and in a step of 1 / 4096 there is one at
@@ -60,21 +57,16 @@ double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : porta
 
 std::string to_ppm(const Image& image) {
     const SrgbEncoder encoder;
-    std::string bytes = header("P6", image, "255");
-    const std::size_t begin = bytes.size();
-    bytes.resize(begin + image.rgb().size());
-    std::transform(image.rgb().begin(), image.rgb().end(), bytes.begin() + static_cast<std::ptrdiff_t>(begin),
-                   [&](float linear) { return encoder.byte(linear); });
+    std::string bytes = formatted("P6\n%d %d\n255\n", image.width(), image.height());
+    for (const float linear : image.rgb()) bytes += encoder.byte(linear);
     return bytes;
 }
 
 std::string to_pfm(const Image& image) {
-    std::string bytes = header("PF", image, "-1.0");
+    std::string bytes = formatted("PF\n%d %d\n-1.0\n", image.width(), image.height());
     for (int y = image.height(); y-- > 0;)
-        for (int x = 0; x < image.width(); ++x) {
-            const Color color = image(x, y);
-            for (double channel : {color.x, color.y, color.z}) append_little_endian(bytes, static_cast<float>(channel));
-        }
+        for (int i = 0; i < 3 * image.width(); ++i)
+            append_little_endian(bytes, image.rgb()[static_cast<std::size_t>(3 * y * image.width() + i)]);
     return bytes;
 }
 }  // namespace bmc
