@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
-#include <utility>
 
 namespace bmc {
 EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
