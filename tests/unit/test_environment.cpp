@@ -15,16 +15,8 @@ std::string construction_error(int width, int height, const std::vector<float>& 
 
 }  // namespace
 
-TEST_CASE("an environment map returns the texels that it was given") {
-    const EnvironmentMap map(2, 1, {1, 2, 3, 4, 5, 6});
-    CHECK(map.width() == 2);
-    CHECK(map.height() == 1);
-    CHECK(std::vector<float>(map.texels(), map.texels() + 6) == std::vector<float>{1, 2, 3, 4, 5, 6});
-}
-
 TEST_CASE("an environment map refuses sizes that do not match its values") {
     CHECK(contains(construction_error(2, 2, {1, 2, 3}), "2 x 2 texels with 3 values"));
-    CHECK(contains(construction_error(0, 1, {}), "0 x 1"));
     CHECK(contains(construction_error(-1, -1, {1, 2, 3}), "-1 x -1"));
     CHECK(contains(construction_error(65536, 65536, {}), "65536 x 65536"));
     CHECK(contains(construction_error(std::numeric_limits<int>::min(), 1, {}), "it takes 1 to 67108864"));
@@ -35,9 +27,7 @@ TEST_CASE("an environment map names the value of a texel that is not a radiance"
         const auto bad = static_cast<float>(value);
         std::vector<float> rgb(3 * 4 * 3, 0.25f);
         rgb[3 * (2 * 4 + 1) + 2] = bad;
-        const std::string error = construction_error(4, 3, rgb);
-        CAPTURE(error);
-        CHECK(contains(error, formatted("environment map: %.9g is not", bad)));
+        CHECK(contains(construction_error(4, 3, rgb), formatted("environment map: %.9g is not", bad)));
     }
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("the irradiance of 250 random normals is within 6e-4 of the largest un
 // They are suns. Where one sets, the horizon cuts the parts that its 256 rays stand for.
 TEST_CASE("the light of a lamp of 1 to 20 degrees: the irradiance is within 2e-3 of the largest") {
     const double u = 0.3, v = 0.35;
-    for (const double degrees : {1.0, 3.0, 6.0, 10.0, 20.0}) {
+    for (const double degrees : {1.0, 6.0, 20.0}) {
         const EnvironmentMap map = map_of(1024, 512, [&](int column, int row) {
             const bool lamp =
                 dot(towards((column + 0.5) / 1023, (row + 0.5) / 511), towards(u, v)) > std::cos(pi / 360 * degrees);
@@ -97,15 +97,6 @@ TEST_CASE("a light whose integrals would exceed the largest float is refused") {
     CHECK_THROWS_AS(PrefilteredEnvironment{bright_centre}, std::runtime_error);
     const EnvironmentMap bright = even_map(2, 2, 1e36);
     CHECK(std::isfinite(PrefilteredEnvironment(bright).irradiance({0, 1, 0}).x));
-}
-
-TEST_CASE("a light of coarse texels: the irradiance is within 1e-3 of the largest") {
-    // Summed over the middles of 64 x 64 pieces of each texel.
-    const EnvironmentMap coarse = striped_map(10, 6), fine = map_of(577, 321, [&](int column, int row) {
-                                                          return coarse.texel(row / 64 * 10 + column / 64);
-                                                      });
-    const std::vector<Vec3> normals = random_normals(100);
-    CHECK(worst_error(coarse, normals, summed_irradiance(fine, normals)) < 1e-3);
 }
 
 TEST_CASE("a uniform light of radiance L has the irradiance pi L, whatever the size of its map") {

@@ -9,8 +9,7 @@ constexpr int side = 60;
 const Camera camera{side, side};
 
 PictureSettings settings_of(Method method, std::size_t samples = 40) {
-    PictureSettings settings;
-    static_cast<RenderSettings&>(settings) = small(method, samples, side);
+    PictureSettings settings = small(method, samples, side);
     settings.seed = 5;
     return settings;
 }

@@ -6,9 +6,8 @@ namespace {
 
 // What a pixel does is compared, so that a few processes are enough.
 RenderSettings few_pixels(Method method, std::size_t samples) {
-    RenderSettings settings = small(method, samples);
+    RenderSettings settings = small(method, samples, 17);
     settings.pool = 3;
-    settings.width = 17;
     settings.height = 13;
     return settings;
 }
