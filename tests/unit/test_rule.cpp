@@ -24,7 +24,8 @@ TEST_CASE("directions are read with or without values, between white space or co
 TEST_CASE("a line that is no direction is named") {
     const std::string range = "is not a number from -1e+100 to 1e+100";
     CHECK(read.error("0 1 0\n\n0 1 x\n") == "line 3: 'x' " + range);
-    for (const std::string word : {"nan", "inf", "1e999", "0x1"})
+    CHECK(read.error(std::string("0 1 1\0 2\n", 8)) == "line 1: '1?' " + range);
+    for (const std::string word : {"nan", "-inf", "1e308", "0x1p1"})
         CHECK(read.error("0 1 " + word + "\n") == "line 1: '" + word + "' " + range);
     for (const char* text : {"0 1 0\n0 1 0 5\n", "0 1\n0 1\n", "0 1 0 1 1 1\n"})
         CHECK(contains(read.error(text), " numbers; every line should be x y z, or every line x y z value"));
