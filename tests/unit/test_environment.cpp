@@ -67,9 +67,8 @@ TEST_CASE("the axes meet the texels of the definition") {
 }
 
 TEST_CASE("every direction meets a texel of the map, off unit length and without meaning too") {
-    const std::vector<double> coordinates = {
-        0.0,    -0.0,    1,      -1,    1 + 1e-15, -1 - 1e-15, 1 - 1e-15, 1 + 2.3e-16, -1 - 2.3e-16,
-        5e-324, -5e-324, 1e-200, 1e300, -1e300,    infinity,   -infinity, nan_value};
+    const std::vector<double> coordinates = {0.0,    -0.0,   1,     -1,     1 + 1e-15, -1 - 1e-15, 1 - 1e-15,
+                                             5e-324, 1e-200, 1e300, -1e300, infinity,  -infinity,  nan_value};
     for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {7, 1}, {512, 256}}) {
         const TexelGrid grid(width, height);
         int outside = 0;

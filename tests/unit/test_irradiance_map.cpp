@@ -66,8 +66,8 @@ TEST_CASE("the light of a lamp of 1 to 20 degrees: the irradiance is within 2e-3
                 dot(towards((column + 0.5) / 1023, (row + 0.5) / 511), towards(u, v)) > std::cos(pi / 360 * degrees);
             return lamp ? Color{1, 1, 1} : Color{};
         });
-        const int row = static_cast<int>(v * 511), column = static_cast<int>(u * 1023);
-        const std::vector<Vec3> normals = grazing_normals(map, row, column, 60);
+        const std::vector<Vec3> normals =
+            grazing_normals(map, static_cast<int>(v * 511), static_cast<int>(u * 1023), 60);
         CHECK(worst_error(map, normals, summed_irradiance(map, normals)) < 2e-3);
     }
 }

@@ -15,9 +15,7 @@ TEST_CASE("the camera sees 60 degrees vertically, through pixel centres, row 0 a
 
 TEST_CASE("rays meet the sphere, the rectangle or nothing") {
     const Scene scene = sphere_scene();
-    const auto hit = [&](Vec3 origin, Vec3 direction) {
-        return intersect(scene, {origin, normalize(direction)}).value();
-    };
+    const auto hit = [&](Vec3 from, Vec3 direction) { return intersect(scene, {from, normalize(direction)}).value(); };
     const Hit ahead = hit({0, 0, 0}, {0, 0, -1}), down = hit({0, 0, 0}, {0, -2, -1.5});
     CHECK(ahead.object == Object::sphere);
     CHECK(ahead.point.z == -3);
