@@ -31,11 +31,9 @@ TEST_CASE("an environment map names the value of a texel that is not a radiance"
     }
 }
 
-// The arctangent and the arccosine err by at most 2e-8, so u (W - 1) by 2e-8 / (2 pi) * 1023 = 3.3e-6 and v (H - 1) by
-// 2e-8 / pi * 511 = 3.3e-6. One border per column and per row moves by that, and it separates a random direction from
-// its texel with that probability: among 1e6 at most 7 are expected, and 30 are eight standard deviations more. In
-// single precision a component is off by 3e-8 at most, an angle by some 5e-8, and a column of up to 1023 by 3e-5 more:
-// 50 to 100 are expected.
+// The arctangent and the arccosine err by at most 2e-8, so columns and rows by 3.3e-6: that is the probability with
+// which a border separates a random direction from its texel. Among 1e6 at most 7 are expected, and 30 are eight
+// standard deviations more. In single precision an angle is off by some 5e-8 more: 50 to 100 are expected.
 TEST_CASE("the texel of a direction is that of atan2 and acos, but for a few neighbours in a million") {
     const TexelGrid grid(1024, 512);
     int different = 0, different_in_single = 0, not_neighbours = 0;
