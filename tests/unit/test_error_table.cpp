@@ -34,7 +34,7 @@ TEST_CASE("an exact estimate has no infinite or undefined gain beside another ex
     CHECK(ErrorRow{10, 3, 2, 0}.gain() == 1.5);
 }
 
-TEST_CASE("what is only rounding counts as no error, and what is above it counts, however small") {
+TEST_CASE("an error of rounding counts as none, a larger one counts, however small") {
     // Monte Carlo integrates a constant exactly but for the rounding of its sum.
     ErrorSettings settings;
     settings.samples = {30};

@@ -20,7 +20,7 @@ TEST_CASE("the error of an image: root mean square, neighbours' correlation and 
 }
 
 // Of the 200,000 directions 200 meet the sun.
-TEST_CASE("the dense truth takes nothing from a table, under a sun, too: a picture by many directions agrees") {
+TEST_CASE("the dense truth agrees with a picture by many directions, also under a sun") {
     const PictureSettings settings = small(Method::mc, 200000, 30, Placement::fibonacci);
     const ImageError error = image_error(render(sphere_scene(), sunny, settings), dense_truth({sunny}, settings, 3000));
     CHECK(error.rmse < 0.03);
@@ -36,7 +36,7 @@ TEST_CASE("a picture of a sun's penumbra, with the light known, has the error th
     CHECK(relative(image_error(one, truth).rmse, predicted) < 0.2);
 }
 
-TEST_CASE("errors of at most two predicted ones lie within, colour by colour") {
+TEST_CASE("coverage counts the errors of at most two predicted ones, colour by colour") {
     Image image(2, 1), predicted(2, 1);
     image.set(0, 0, {1, -2, 3});
     image.set(1, 0, {9, 9, 9});

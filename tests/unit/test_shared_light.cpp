@@ -89,7 +89,7 @@ TEST_CASE("a shared picture has the same bytes by the textbook's loops, and othe
 }
 
 // Measured, N = 10: 0.0026 shared, 0.0148 alone; N = 40: 0.0013 and 0.0049.
-TEST_CASE("shared, a picture has a fifth of the error, a quarter with 40 samples, and two of them tell it") {
+TEST_CASE("sharing leaves a fifth of the error, a quarter with 40 samples, and two pictures tell it") {
     const Truth truth = truth_of(dense_picture(desert, 64));
     for (const auto& [samples, most] : {std::pair(10u, 0.0030), {40u, 0.0015}})
         CHECK(rmse_of(shared(samples), truth) < most);
