@@ -24,11 +24,3 @@ TEST_CASE("model options make the covariance that they name") {
     settings.smoothness = 1.5;
     CHECK_NOTHROW(require_closed_form(settings));
 }
-
-TEST_CASE("only a picture has a light that can be known") {
-    ModelSettings model;
-    CHECK_THROWS_AS(parse_model({"--known", "light"}, model), UsageError);
-    PictureSettings settings;
-    CHECK(parse({"--known", "light"}, PictureOptions(settings).process).empty());
-    CHECK(settings.known == Known::light);
-}
