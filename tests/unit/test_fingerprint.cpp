@@ -91,3 +91,18 @@ TEST_CASE("the joint deviation is accepted up to 7") {
         CHECK(compare(measured, correct_pictures(1, 1), {5, 6})["together"].fits() == fits);
     }
 }
+
+TEST_CASE("numbers that are common each, but not together, are found") {
+    std::vector<Fingerprint> correct =
+        correct_pictures(0, 1.1);  // where the RMSE is large, the worst block is bad, too
+    for (Fingerprint& each : correct) each[block_number] *= std::pow(each[0] / 0.01, 4);
+    for (const int power : {8, -8}) {
+        Fingerprint measured(first_lag + 1, 0.01);
+        measured[0] *= std::pow(1.1, 2);
+        measured[block_number] *= std::pow(1.1, power);
+        const Comparison comparison = compare(measured, correct, {5, 6});
+        CHECK(comparison["rmse"].fits());
+        CHECK(comparison["block"].fits());
+        CHECK(comparison["together"].fits() == (power > 0));
+    }
+}

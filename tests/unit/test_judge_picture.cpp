@@ -141,17 +141,6 @@ TEST_CASE("neighbours that err alike by another mistake share no noise" * doctes
     CHECK(contains(judgement.reason, "it errs on all objects alike: "));
 }
 
-// An unlucky rule errs as much as this noise, but not pixel by pixel.
-TEST_CASE("a picture whose numbers are each common, but not all at once, is wrong" * doctest::test_suite("long")) {
-    Random random(7, 0);
-    const Image noisy = with_objects(rendered(Method::rotated),
-                                     [&](Color c, const Hit&) { return (0.75 + 0.5 * random.uniform()) * c; });
-    const Comparison comparison = judged(written(noisy), Method::rotated).comparison;
-    for (const char* name : {"rmse", "brightness", "correlation", "alike", "block"})
-        CHECK_MESSAGE(comparison[name].fits(), name);
-    CHECK(!comparison["together"].fits());
-}
-
 TEST_CASE("one rule that meets a small sun or does not makes pictures of two kinds, both correct" *
           doctest::test_suite("long")) {
     const EnvironmentMap sun = map_of(1024, 512, [](int column, int row) {

@@ -1,5 +1,5 @@
+#include "experiments/statistics.h"
 #include "known_light/known_light.h"
-#include "prediction.h"
 
 #include "test.h"
 
@@ -127,24 +127,20 @@ TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angl
     const Sun sun(map);
     CHECK(relative(sun.light(), 6 * 2 * pi / 16 * (1 - std::cos(pi / 8))) < 1e-12);
     CHECK(sun.share() == 1);
-    // Their means, and their variances: those of uniform numbers.
-    const double middle = (12.5 / 8 - 1) * pi, mean_height = 0.5 * (1 + std::cos(pi / 8)), range = 1 - std::cos(pi / 8);
-    double height = 0, around = 0, heights = 0, arounds = 0;
+    // Their means, and their deviations: those of uniform numbers.
+    Statistics height, azimuth;
     for (int i = 0; i < 100; ++i)
         for (int j = 0; j < 100; ++j) {
             const Sun::Ray ray = sun.ray((i + 0.5) / 100, (j + 0.5) / 100);
             REQUIRE(map.radiance(ray.direction).x == 3);
             CHECK(ray.colour.x == 0.5);
-            height += 1e-4 * ray.direction.y;
-            const double azimuth = std::atan2(ray.direction.x, -ray.direction.z);
-            around += 1e-4 * azimuth;
-            heights += 1e-4 * std::pow(ray.direction.y - mean_height, 2);
-            arounds += 1e-4 * std::pow(azimuth - middle, 2);
+            height.add(ray.direction.y);
+            azimuth.add(std::atan2(ray.direction.x, -ray.direction.z));
         }
-    CHECK(std::fabs(height - mean_height) < 1e-12);
-    CHECK(std::fabs(around - middle) < 1e-12);
-    CHECK(relative(heights, range * range / 12) < 2e-4);
-    CHECK(relative(arounds, pi / 8 * pi / 8 / 12) < 2e-4);
+    CHECK(std::fabs(height.mean - 0.5 * (1 + std::cos(pi / 8))) < 1e-12);
+    CHECK(std::fabs(azimuth.mean - (12.5 / 8 - 1) * pi) < 1e-12);
+    CHECK(relative(height.deviation(), (1 - std::cos(pi / 8)) / std::sqrt(12)) < 1e-4);
+    CHECK(relative(azimuth.deviation(), pi / 8 / std::sqrt(12)) < 1e-4);
 }
 
 TEST_CASE("a sun of far columns and rows keeps its order") {

@@ -41,8 +41,6 @@ TEST_CASE("hits lie on their object and face the ray") {
         ++(hit.object == Object::sphere ? spheres : rectangles);
         if (hit.object == Object::sphere) CHECK(std::fabs(length(hit.point - scene.sphere.centre) - 2) < 1e-14);
     });
-    CHECK(spheres > 1000);
-    CHECK(rectangles > 500);
     CHECK(object_pixels(scene, camera) == spheres + rectangles);
     CHECK(object_pixels(scene, {500, 500}) == 166094);
     CHECK(object_pixels(scene, {1000, 500}) > 166094);  // more of the rectangle, beside the square
