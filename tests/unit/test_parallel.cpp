@@ -3,6 +3,8 @@
 #include "test.h"
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 TEST_CASE("every row is computed once, whatever the number of threads, and progress grows to 1") {
     for (const auto& [rows, threads] : {std::pair(100, 1u), {100, 3u}, {100, 300u}, {1, 1u}}) {
@@ -34,4 +36,16 @@ TEST_CASE("an exception of one row ends the others' work and reaches the caller"
         CHECK_THROWS_AS(for_each_row(1 << 28, threads, fail), std::bad_alloc);
         CHECK(calls < 1 << 27);
     }
+}
+
+// Each of two threads has a row, and waits with it for the other.
+TEST_CASE("an exception of another thread reaches the caller") {
+    std::atomic<int> begun{0};
+    const auto caller = std::this_thread::get_id();
+    const auto fail_elsewhere = [&](int) {
+        ++begun;
+        for (int i = 0; i < 10000 && begun < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (std::this_thread::get_id() != caller) throw std::bad_alloc();
+    };
+    CHECK_THROWS_AS(for_each_row(2, 2, fail_elsewhere), std::bad_alloc);
 }
