@@ -9,14 +9,13 @@
 namespace bmc {
 namespace {
 
-constexpr double largest_number = 1e100;  // so that sums of squares are finite
-
-// White space or commas separate the numbers of a line; '#' begins a comment.
+// White space or commas separate the numbers of a line, whose squares have finite sums; '#' begins a comment.
 std::vector<double> numbers_of(std::string line) {
     std::replace(line.begin(), line.end(), ',', ' ');
+    std::replace(line.begin(), line.end(), '\0', '?');  // which would end an error's text
     std::istringstream words(line.substr(0, line.find('#')));
     std::vector<double> numbers;
-    for (std::string word; words >> word;) numbers.push_back(parse_real(word, -largest_number, largest_number));
+    for (std::string word; words >> word;) numbers.push_back(parse_real(word, -1e100, 1e100));
     return numbers;
 }
 
@@ -52,8 +51,11 @@ Samples read_samples(std::istream& in) {
     std::size_t line = 1;
     char text[4096];
     try {
-        for (; in.getline(text, sizeof text); ++line)
-            if (const std::vector<double> numbers = numbers_of(text); !numbers.empty()) add_sample(samples, numbers);
+        for (; in.getline(text, sizeof text); ++line) {
+            const auto length = static_cast<std::size_t>(in.gcount()) - !in.eof();  // without the '\n'
+            const std::vector<double> numbers = numbers_of({text, length});
+            if (!numbers.empty()) add_sample(samples, numbers);
+        }
         if (!in.eof()) throw std::runtime_error("it is longer than 4095 characters");
     } catch (const std::runtime_error& error) {
         throw std::runtime_error("line " + std::to_string(line) + ": " + error.what());

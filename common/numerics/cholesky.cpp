@@ -71,7 +71,8 @@ Matrix Cholesky::inverse() const {
     for (std::size_t j = 0; j < size(); ++j) {
         std::vector<double> e(size());
         e[j] = 1;
-        inverse.set_column(j, solve(std::move(e)));
+        const std::vector<double> column = solve(std::move(e));
+        for (std::size_t i = 0; i < size(); ++i) inverse(i, j) = column[i];
     }
     return inverse;
 }

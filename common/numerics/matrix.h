@@ -21,11 +21,6 @@ public:
     double* row(std::size_t i) { return elements_.data() + i * columns_; }
     const double* row(std::size_t i) const { return elements_.data() + i * columns_; }
 
-    // values: one for each row.
-    void set_column(std::size_t j, const std::vector<double>& values) {
-        for (std::size_t i = 0; i < rows_; ++i) (*this)(i, j) = values[i];
-    }
-
 private:
     std::size_t rows_, columns_;
     std::vector<double> elements_;

@@ -47,34 +47,36 @@ std::optional<Picture> parse_picture(const std::string& bytes) {
     return picture;
 }
 
-// The linear light of a channel; PPM is coded as IEC 61966-2-1 says.
-double light(const Picture& picture, std::size_t i) {
-    return picture.floats ? picture.values[i] : bmc::srgb_decoded(picture.values[i] / 255);
+bmc::Color color(const Picture& picture, std::size_t pixel) {
+    return {picture.values[3 * pixel], picture.values[3 * pixel + 1], picture.values[3 * pixel + 2]};
 }
 
-// The first channels of the pixels that differ.
+// The linear light of a pixel; PPM is coded as IEC 61966-2-1 says.
+bmc::Color light(const Picture& picture, std::size_t pixel) {
+    const bmc::Color c = color(picture, pixel);
+    if (picture.floats) return c;
+    return {bmc::srgb_decoded(c.x / 255), bmc::srgb_decoded(c.y / 255), bmc::srgb_decoded(c.z / 255)};
+}
+
+// The pixels that differ.
 std::vector<std::size_t> differences(const Picture& reference, const Picture& actual, double tolerance) {
+    if (!reference.floats) tolerance = 0;
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < reference.values.size(); i += 3) {
-        bool same = true;
-        for (std::size_t k = i; k < i + 3; ++k)
-            same = same && agree(reference.values[k], actual.values[k], reference.floats ? tolerance : 0);
-        if (!same) found.push_back(i);
+    for (std::size_t i = 0; i < reference.width * reference.height; ++i) {
+        const bmc::Color a = color(reference, i), b = color(actual, i);
+        if (!agree(a.x, b.x, tolerance) || !agree(a.y, b.y, tolerance) || !agree(a.z, b.z, tolerance))
+            found.push_back(i);
     }
     return found;
 }
 
-bool too_few(const std::vector<std::size_t>& pixels, const Picture& picture, double tolerance) {
-    return pixels.size() <= (tolerance > 0 ? picture.width * picture.height / 1000 : 0);
-}
-
 std::string describe_first(const Picture& reference, const Picture& actual, const std::vector<std::size_t>& pixels) {
     const char* const colours[] = {"red", "green", "blue"};
-    std::size_t i = pixels[0];
+    std::size_t i = 3 * pixels[0];
     while (reference.values[i] == actual.values[i]) ++i;
     double largest = 0;  // passes over a nan
     for (const std::size_t pixel : pixels)
-        for (std::size_t k = pixel; k < pixel + 3; ++k)
+        for (std::size_t k = 3 * pixel; k < 3 * pixel + 3; ++k)
             largest = std::fmax(largest, std::fabs(reference.values[k] - actual.values[k]));
     return bmc::formatted("pixel (x %zu, y %zu), %s: reference %.9g, here %.9g; ", i / 3 % reference.width,
                           i / 3 / reference.width, colours[i % 3], reference.values[i], actual.values[i]) +
@@ -82,47 +84,42 @@ std::string describe_first(const Picture& reference, const Picture& actual, cons
            in_words(largest, 3);
 }
 
-std::vector<double> errors_of(const Picture& reference, const Picture& actual) {
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < reference.values.size(); ++i) errors.push_back(light(actual, i) - light(reference, i));
-    return errors;
-}
-
 // Of the pixels that differ: how large the errors of the linear light are, their mean over that of the reference, and
 // the correlation of those of horizontal neighbours, less the mean.
 std::string describe_errors(const Picture& reference, const Picture& actual, const std::vector<std::size_t>& pixels) {
-    const std::vector<double> errors = errors_of(reference, actual);
+    const auto error = [&](std::size_t pixel) { return light(actual, pixel) - light(reference, pixel); };
     const double count = static_cast<double>(pixels.size());
-    double squares = 0, expected = 0, sum[3] = {}, products = 0, pair_squares = 0;
-    for (const std::size_t pixel : pixels)
-        for (std::size_t k = 0; k < 3; ++k) {
-            squares += errors[pixel + k] * errors[pixel + k];
-            sum[k] += errors[pixel + k];
-            expected += light(reference, pixel + k);
-        }
+    const bmc::Color one{1, 1, 1};
+    double squares = 0, expected = 0, products = 0, pair_squares = 0;
+    bmc::Color sum;
+    for (const std::size_t pixel : pixels) {
+        squares += dot(error(pixel), error(pixel));
+        sum += error(pixel);
+        expected += dot(light(reference, pixel), one);
+    }
     for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
-        if (pixels[i + 1] != pixels[i] + 3 || pixels[i + 1] % (3 * reference.width) == 0) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double here = errors[pixels[i] + k] - sum[k] / count,
-                         next = errors[pixels[i + 1] + k] - sum[k] / count;
-            products += here * next;
-            pair_squares += (here * here + next * next) / 2;
-        }
+        if (pixels[i + 1] != pixels[i] + 1 || pixels[i + 1] % reference.width == 0) continue;
+        const bmc::Color here = error(pixels[i]) - 1 / count * sum, next = error(pixels[i + 1]) - 1 / count * sum;
+        products += dot(here, next);
+        pair_squares += (dot(here, here) + dot(next, next)) / 2;
     }
     if (!std::isfinite(squares / expected)) return "";
-    const std::string text =
-        bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%", std::sqrt(squares / (3 * count)),
-                       100 * (sum[0] + sum[1] + sum[2]) / expected);
+    const std::string text = bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%",
+                                            std::sqrt(squares / (3 * count)), 100 * dot(sum, one) / expected);
     if (pair_squares == 0) return text;
     return text + bmc::formatted(", the correlation of neighbouring errors is %.2f",
                                  std::floor(100 * products / pair_squares + 0.5) / 100);
 }
 
 // Errors as a PPM: grey is none, white or black one of 0.1.
-std::string picture_of(const std::vector<double>& errors, const Picture& like) {
-    std::string bytes = bmc::formatted("P6\n%zu %zu\n255\n", like.width, like.height);
-    for (const double error : errors)
-        bytes += static_cast<char>(static_cast<unsigned char>(128.5 + 127 * std::fmax(-1, std::fmin(1, 10 * error))));
+std::string picture_of_errors(const Picture& reference, const Picture& actual) {
+    std::string bytes = bmc::formatted("P6\n%zu %zu\n255\n", actual.width, actual.height);
+    for (std::size_t i = 0; i < actual.width * actual.height; ++i) {
+        const bmc::Color error = light(actual, i) - light(reference, i);
+        for (const double each : {error.x, error.y, error.z})
+            bytes +=
+                static_cast<char>(static_cast<unsigned char>(128.5 + 127 * std::fmax(-1, std::fmin(1, 10 * each))));
+    }
     return bytes;
 }
 
@@ -136,9 +133,9 @@ std::string picture_difference(const std::string& reference, const std::string& 
         return bmc::formatted("reference: a picture (%s), here: %zu bytes that are not a complete one",
                               expected->header.c_str(), actual.size());
     if (expected->header != found->header) return "header: reference " + expected->header + ", here " + found->header;
-    errors = picture_of(errors_of(*expected, *found), *found);
+    errors = picture_of_errors(*expected, *found);
     const std::vector<std::size_t> pixels = differences(*expected, *found, tolerance);
     if (pixels.empty() && tolerance == 0) return "no pixel differs, but white space in the header or the sign of a 0";
-    if (too_few(pixels, *found, tolerance)) return "";
+    if (pixels.size() <= (tolerance > 0 ? found->width * found->height / 1000 : 0)) return "";
     return describe_first(*expected, *found, pixels) + describe_errors(*expected, *found, pixels);
 }

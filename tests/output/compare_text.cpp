@@ -147,24 +147,21 @@ std::string describe_columns(const Table& table) {
 
 // In a square table, such as a matrix, the place that holds all differences.
 std::string describe_matrix(const Table& table) {
-    bool one_row = true;
-    std::size_t row = 0, differing = 0, on_diagonal = 0;
-    for (const Cell& cell : table.cells) {
-        if (cell.agrees) continue;
-        const std::size_t here = cell.row - table.cells[0].row + 1;
-        row = row == 0 ? here : row;
-        one_row = one_row && here == row;
-        if (here == cell.column) ++on_diagonal;
-        ++differing;
-    }
     const std::string name = table.matrix_name();
-    const double ratio = common_ratio(table.cells);
-    if (ratio != 0) return describe_ratio(name, ratio);
-    if (on_diagonal == differing) return "only the diagonal of " + name + " differs";
-    if (on_diagonal == 0 && differing + table.rows == table.cells.size())
+    if (const double ratio = common_ratio(table.cells); ratio != 0) return describe_ratio(name, ratio);
+    std::vector<Cell> differing;
+    for (const Cell& cell : table.cells)
+        if (!cell.agrees) differing.push_back(cell);
+    const auto row_of = [&](const Cell& cell) { return cell.row - table.cells[0].row + 1; };
+    const auto count = [&](auto property) { return std::count_if(differing.begin(), differing.end(), property); };
+    const auto all = static_cast<std::ptrdiff_t>(differing.size());
+    const auto on_diagonal = count([&](const Cell& cell) { return row_of(cell) == cell.column; });
+    if (on_diagonal == all) return "only the diagonal of " + name + " differs";
+    if (on_diagonal == 0 && differing.size() + table.rows == table.cells.size())
         return "all of " + name + " but the diagonal differs";
-    if (one_row) return "only row " + std::to_string(row) + " of " + name + " differs";
-    return count_of(differing, table.cells.size(), ("numbers of " + name).c_str());
+    if (count([&](const Cell& cell) { return cell.row == differing[0].row; }) == all)
+        return "only row " + std::to_string(row_of(differing[0])) + " of " + name + " differs";
+    return count_of(differing.size(), table.cells.size(), ("numbers of " + name).c_str());
 }
 
 // Where the first difference is: line `at` of both outputs.

@@ -42,41 +42,15 @@ void check(const ModelSettings& model) {
     require(model.noise >= 0 && model.noise <= 1000);
 }
 
-void check(const renderer_program::Request& request) {
-    const PictureSettings& settings = request.settings;
-    require(settings.samples >= 1 && settings.pool >= 1 && settings.threads >= 1);
-    require(settings.width >= 1 && settings.width <= 8192);
-    require(settings.height >= 1 && settings.height <= 8192);
-    check(static_cast<const ModelSettings&>(settings));
-}
-
-// The workbench's own options are in its commands.
-void check(const workbench_program::Request& request) { require(request.command.report != nullptr); }
-
-void check(const ErrorTables& tables) {
-    const ErrorSettings& settings = tables.settings;
-    require(!settings.samples.empty() && settings.samples.size() <= 1000);
-    for (const std::size_t n : settings.samples) require(n >= 1 && n <= 4096);
-    require(settings.mc_estimates >= 1 && settings.bmc_estimates >= 1);
-    check(static_cast<const ModelSettings&>(settings));
-}
-
-void check(const Rule& rule) {
-    require(rule.samples >= 1 && rule.samples <= 4096);
-    check(rule.settings);
-}
-
-void check(const Tradeoff& tradeoff) { require(tradeoff.costs.size >= 2 && tradeoff.costs.size <= 1024); }
-
-template <class Parse>
-void parse(Parse parse_words, std::vector<std::string> words) {
+// What is parsed from the words, and then used, is a request or a usage error.
+template <class Use>
+void parse(std::vector<std::string> words, Use use) {
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     optind = 0;  // a fresh scan
     try {
-        const auto request = parse_words(static_cast<int>(words.size()), argv.data());
-        check(request);
+        use(static_cast<int>(words.size()), argv.data());
     } catch (const UsageError& error) {
         require(error.what()[0] != '\0');
     }
@@ -100,10 +74,24 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
             words.back() += static_cast<char>(bytes[i]);
     }
     if (words.back().empty()) words.pop_back();  // a last line ends with its line break
-    parse(renderer_program::parse, words);
-    parse(workbench_program::parse, words);
-    parse(parse_experiment<ErrorTables>, words);
-    parse(parse_experiment<Rule>, words);
-    parse(parse_experiment<Tradeoff>, words);
+    parse(words, [](int argc, char** argv) {
+        const PictureSettings settings = renderer_program::parse(argc, argv).settings;
+        require(settings.samples >= 1 && settings.pool >= 1 && settings.threads >= 1);
+        require(settings.width >= 1 && settings.width <= 8192 && settings.height >= 1 && settings.height <= 8192);
+        check(settings);
+    });
+    parse(words,
+          [](int argc, char** argv) { require(workbench_program::parse(argc, argv).command.report != nullptr); });
+    parse(words, [](int argc, char** argv) {
+        const ErrorSettings settings = parse_experiment<ErrorTables>(argc, argv).settings;
+        for (const std::size_t n : settings.samples) require(n >= 1 && n <= 4096);
+        require(!settings.samples.empty() && settings.mc_estimates >= 1 && settings.bmc_estimates >= 1);
+        check(settings);
+    });
+    parse(words, [](int argc, char** argv) { check(parse_experiment<Rule>(argc, argv).settings); });
+    parse(words, [](int argc, char** argv) {
+        const int size = parse_experiment<Tradeoff>(argc, argv).costs.size;
+        require(size >= 2 && size <= 1024);
+    });
     return 0;
 }

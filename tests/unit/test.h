@@ -110,6 +110,11 @@ inline EnvironmentMap even_map(int width, int height, double radiance) {
     return map_of(width, height, [&](int, int) { return Color{radiance, radiance, radiance}; });
 }
 
+// With a sun of 6 x 6 degrees.
+inline const EnvironmentMap sunny = map_of(64, 32, [](int column, int row) {
+    return column == 50 && row == 10 ? Color{1000, 900, 800} : Color{0.25, 0.5, 0.75};
+});
+
 // Coloured stripes.
 inline EnvironmentMap striped_map(int width, int height) {
     return map_of(width, height, [&](int column, int row) {
@@ -128,18 +133,16 @@ inline const EnvironmentMap desert = load_environment(), white = even_map(1, 1, 
 
 inline const Method all_methods[] = {Method::mc, Method::direct, Method::single, Method::rotated, Method::pool};
 
-inline RenderSettings small(Method method, std::size_t samples = 40, int size = 40) {
-    RenderSettings settings;
+inline PictureSettings small(Method method, std::size_t samples = 40, int size = 40,
+                             Placement placement = Placement::uniform, Known known = Known::nothing) {
+    PictureSettings settings;
     settings.method = method;
     settings.samples = samples;
     settings.width = settings.height = size;
+    settings.placement = placement;
+    settings.known = known;
     return settings;
 }
-
-// The top of the sphere sees all of the sky; a point of the rectangle right of the sphere sees a part of it.
-const Hit top{Object::sphere, {0, 2, -5}, {0, 1, 0}, {0.8, 0.8, 0.4}};
-const Hit beside{Object::rectangle, {1.5, -2, -4}, {0, 1, 0}, {0.2, 0.8, 0.2}};
-const Frame upright({0, 1, 0});
 
 // A sphere below the rectangle, in its shadow.
 inline Scene sphere_below() {
@@ -168,8 +171,7 @@ bool twins_agree(Draw draw) {
 
 // What pictures tend to: plain weights on a dense lattice.
 inline Image dense_picture(const EnvironmentMap& environment, int size = 40) {
-    RenderSettings settings = small(Method::mc, 20000, size);
-    settings.placement = Placement::fibonacci;
+    PictureSettings settings = small(Method::mc, 20000, size, Placement::fibonacci);
     settings.threads = 2;
     return render(sphere_scene(), environment, settings);
 }

@@ -2,27 +2,12 @@
 
 #include "test.h"
 
-TEST_CASE("the built-in environment is a picture of 1024 x 512 radiances in [0, 1], well exposed and always the same") {
+TEST_CASE("the built-in environment is a picture of 1024 x 512 radiances in [0, 1], always the same") {
     const std::vector<float> first = values(desert);
     REQUIRE(first.size() == 3 * 1024 * 512);
     CHECK(first == values(load_environment()));
     CHECK(*std::min_element(first.begin(), first.end()) >= 0);
     CHECK(*std::max_element(first.begin(), first.end()) <= 1);
-    double sum = 0;
-    for (const float value : first) sum += value;
-    const double mean = sum / static_cast<double>(first.size());
-    CHECK(mean > 0.35);
-    CHECK(mean < 0.5);
-}
-
-TEST_CASE("the built-in environment has blue sky above, sand below, a sun and an arch of red rock around -z") {
-    const Color up = desert.radiance({0, 1, 0}), down = desert.radiance({0, -1, 0});
-    CHECK(up.z > up.x);
-    CHECK(down.x > down.z);
-    CHECK(desert.radiance({0.8, 0.48, 0.36}).x > 0.95);
-    const Color crown = desert.radiance(normalize({0, 0.51, -1})), inside = desert.radiance(normalize({0, 0.3, -1}));
-    CHECK(crown.x > 2 * crown.z);
-    CHECK(inside.z > inside.x);
 }
 
 TEST_CASE("the bright desert is the desert, but for its sun a thousand times as bright") {

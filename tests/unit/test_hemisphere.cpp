@@ -72,11 +72,8 @@ TEST_CASE("a frame is orthonormal and right-handed around every normal, the axes
         const Frame frame(normal);
         // A dozen roundings of numbers of size 1.
         CHECK(std::fabs(dot(frame.tangent, frame.tangent) - 1) < 2e-15);
-        CHECK(std::fabs(dot(frame.bitangent, frame.bitangent) - 1) < 2e-15);
-        CHECK(std::fabs(dot(frame.tangent, frame.bitangent)) < 2e-15);
         CHECK(std::fabs(dot(frame.tangent, normal)) < 2e-15);
-        CHECK(std::fabs(dot(frame.bitangent, normal)) < 2e-15);
-        CHECK(std::fabs(dot(cross(frame.tangent, frame.normal), frame.bitangent) - 1) < 2e-15);
+        CHECK(largest_difference(cross(frame.tangent, normal), frame.bitangent) < 2e-15);
         CHECK(largest_difference(frame.to_world(Vec3{0, 1, 0}), normal) == 0);
     }
 }

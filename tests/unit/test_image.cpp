@@ -36,10 +36,3 @@ TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are")
                                     0, 0, 0x80, 0x3f, 0,    0,    0,    0,    0, 0, 0, 0xc0};
     CHECK(to_pfm(image) == "PF\n1 2\n-1.0\n" + std::string(reinterpret_cast<const char*>(pixels), sizeof pixels));
 }
-
-TEST_CASE("an image returns what was set, as floats") {
-    Image image(3, 2);
-    image.set(2, 1, {0.1, 0.2, 0.3});
-    CHECK(image(2, 1).y == static_cast<double>(0.2f));
-    CHECK(image(1, 1).y == 0);
-}

@@ -16,10 +16,3 @@ TEST_CASE("the integrands' truths agree with a dense quadrature") {
         CHECK(std::fabs(2 * pi / 2e5 * sum / integrand.truth - 1) < 3e-4);
     }
 }
-
-TEST_CASE("a rule is applied to the samples of an integrand") {
-    const Integrand cosine = practice_integrands()[1];
-    const QuadratureRule rule{{{0, 1, 0}, {0.6, 0.8, 0}}, {2, 0.5}};
-    CHECK(sample(cosine, rule.directions) == std::vector<double>{1, 0.8});
-    CHECK(apply(rule, cosine) == 2.4);
-}

@@ -58,34 +58,19 @@ TEST_CASE("the irradiance of 250 random normals is within 6e-4 of the largest un
 }
 
 // They are suns. Where one sets, the horizon cuts the parts that its 256 rays stand for.
-TEST_CASE("the light of a lamp of 1 to 20 degrees: the irradiance is within 2e-3 of the largest") {
-    const double u = 0.3, v = 0.35;
-    for (const double degrees : {1.0, 3.0, 6.0, 10.0, 20.0}) {
+TEST_CASE("the light of a lamp of 1 to 20 degrees, anywhere: the irradiance is within 2e-3 of the largest") {
+    for (const auto& [degrees, u, v] :
+         {std::tuple(1.0, 0.3, 0.35), {1.0, 0.0, 0.5}, {3.0, 0.3, 0.0}, {6.0, 1.0, 0.8}, {20.0, 0.3, 0.35}}) {
+        const double cosine = std::cos(pi / 360 * degrees);
+        const Vec3 middle = towards(u, v);
         const EnvironmentMap map = map_of(1024, 512, [&](int column, int row) {
-            const bool lamp =
-                dot(towards((column + 0.5) / 1023, (row + 0.5) / 511), towards(u, v)) > std::cos(pi / 360 * degrees);
-            return lamp ? Color{1, 1, 1} : Color{};
+            return dot(towards((column + 0.5) / 1023, (row + 0.5) / 511), middle) > cosine ? Color{1, 1, 1} : Color{};
         });
-        const int row = static_cast<int>(v * 511), column = static_cast<int>(u * 1023);
-        const std::vector<Vec3> normals = grazing_normals(map, row, column, 60);
-        CHECK(worst_error(map, normals, summed_irradiance(map, normals)) < 2e-3);
-    }
-}
-
-// The truth takes the middle of the texel, which is 6e-3 high: at the horizon up to a quarter of that differs.
-TEST_CASE("nearly all the light in one texel of 1024 x 512: the irradiance is within 1.5e-3 of the largest") {
-    for (const auto& [row, column] : {std::pair(0, 300), {100, 300}, {200, 511}, {255, 300}, {400, 0}}) {
-        // It sends 100 times as much as all the others, of the radiance 1, together.
-        const double solid_angle = std::sin(pi * (row + 0.5) / 511) * pi / 511 * 2 * pi / 1023, light = 400 * pi;
-        const EnvironmentMap map = map_of(1024, 512, [&, row = row, column = column](int x, int y) {
-            return (x == column && y == row ? 1 + light / solid_angle : 1) * Color{1, 1, 1};
-        });
-        std::vector<Vec3> normals = grazing_normals(map, row, column, 1000);
-        for (const Vec3& normal : random_normals(1000)) normals.push_back(normal);
-        std::vector<Color> truth;
-        for (const Vec3& normal : normals)
-            truth.push_back((pi + light * std::max(0.0, dot(normal, normals[0]))) * Color{1, 1, 1});
-        CHECK(worst_error(map, normals, truth) < 1.5e-3);
+        const std::vector<Vec3> normals =
+            grazing_normals(map, static_cast<int>(v * 511), static_cast<int>(u * 1023), 60);
+        const double error = worst_error(map, normals, summed_irradiance(map, normals));
+        CAPTURE(error);
+        CHECK(error < 2e-3);
     }
 }
 
@@ -97,15 +82,6 @@ TEST_CASE("a light whose integrals would exceed the largest float is refused") {
     CHECK_THROWS_AS(PrefilteredEnvironment{bright_centre}, std::runtime_error);
     const EnvironmentMap bright = even_map(2, 2, 1e36);
     CHECK(std::isfinite(PrefilteredEnvironment(bright).irradiance({0, 1, 0}).x));
-}
-
-TEST_CASE("a light of coarse texels: the irradiance is within 1e-3 of the largest") {
-    // Summed over the middles of 64 x 64 pieces of each texel.
-    const EnvironmentMap coarse = striped_map(10, 6), fine = map_of(577, 321, [&](int column, int row) {
-                                                          return coarse.texel(row / 64 * 10 + column / 64);
-                                                      });
-    const std::vector<Vec3> normals = random_normals(100);
-    CHECK(worst_error(coarse, normals, summed_irradiance(fine, normals)) < 1e-3);
 }
 
 TEST_CASE("a uniform light of radiance L has the irradiance pi L, whatever the size of its map") {

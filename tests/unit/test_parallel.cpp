@@ -3,19 +3,19 @@
 #include "test.h"
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
-TEST_CASE("every row is computed once, whatever the number of threads, and progress ends at 1") {
-    for (const unsigned threads : {1u, 3u, 300u}) {
-        std::vector<int> calls(100);
-        double last = 0;
+TEST_CASE("every row is computed once, whatever the number of threads, and progress grows to 1") {
+    for (const auto& [rows, threads] : {std::pair(100, 1u), {100, 3u}, {100, 300u}, {1, 1u}}) {
+        std::vector<int> calls(static_cast<std::size_t>(rows));
+        std::vector<double> told{0};
         for_each_row(
-            100, threads, [&](int y) { ++calls[static_cast<std::size_t>(y)]; },
-            [&](double done) {
-                CHECK(done > last);
-                last = done;
-            });
-        CHECK(calls == std::vector<int>(100, 1));
-        CHECK(last == 1);
+            rows, threads, [&](int y) { ++calls[static_cast<std::size_t>(y)]; },
+            [&](double done) { told.push_back(done); });
+        CHECK(calls == std::vector<int>(calls.size(), 1));
+        CHECK(std::adjacent_find(told.begin(), told.end(), std::greater_equal<>()) == told.end());
+        CHECK(told.back() == 1);
     }
 }
 
@@ -24,13 +24,6 @@ TEST_CASE("no row is computed twice or left out where many threads count short o
     std::vector<std::atomic<int>> calls(200000);
     for_each_row(200000, 8, [&](int y) { ++calls[static_cast<std::size_t>(y)]; });
     CHECK(std::all_of(calls.begin(), calls.end(), [](const std::atomic<int>& count) { return count == 1; }));
-}
-
-TEST_CASE("the progress of one row is 1") {
-    std::vector<double> told;
-    for_each_row(
-        1, 1, [](int) {}, [&](double done) { told.push_back(done); });
-    CHECK(told == std::vector<double>{1});
 }
 
 TEST_CASE("an exception of one row ends the others' work and reaches the caller") {
@@ -43,4 +36,16 @@ TEST_CASE("an exception of one row ends the others' work and reaches the caller"
         CHECK_THROWS_AS(for_each_row(1 << 28, threads, fail), std::bad_alloc);
         CHECK(calls < 1 << 27);
     }
+}
+
+// Each of two threads has a row, and waits with it for the other.
+TEST_CASE("an exception of another thread reaches the caller") {
+    std::atomic<int> begun{0};
+    const auto caller = std::this_thread::get_id();
+    const auto fail_elsewhere = [&](int) {
+        ++begun;
+        for (int i = 0; i < 10000 && begun < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (std::this_thread::get_id() != caller) throw std::bad_alloc();
+    };
+    CHECK_THROWS_AS(for_each_row(2, 2, fail_elsewhere), std::bad_alloc);
 }

@@ -21,9 +21,7 @@ TEST_CASE("a light that reaches no object is refused") {
 }
 
 TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds" * doctest::test_suite("long")) {
-    PictureSettings settings = main_settings()[2];
-    settings.width = settings.height = 129;
-    settings.samples = 1;
+    PictureSettings settings = small(main_settings()[2].method, 1, 129);
     const Truth truth = dense_truth(prefilter(desert), settings, 10000);
     RootMeanSquare expected;
     for (settings.seed = 1; settings.seed <= 4; ++settings.seed)

@@ -6,15 +6,6 @@ namespace {
 
 const Scene scene = sphere_scene();
 
-PictureSettings small_picture(Method method, std::size_t samples, int size = 40,
-                              Placement placement = Placement::uniform, Known known = Known::nothing) {
-    PictureSettings settings;
-    static_cast<RenderSettings&>(settings) = small(method, samples, size);
-    settings.placement = placement;
-    settings.known = known;
-    return settings;
-}
-
 // The predicted over the actual RMSE of twenty seeds, and the share of errors within two predicted ones.
 struct Honesty {
     double ratio, covered;
@@ -50,9 +41,8 @@ TEST_CASE("two pictures tell the error of every kind of picture, also under ligh
                                                        {Method::pool, Placement::cosine_fibonacci, Known::cosine},
                                                        {Method::pool, Placement::cosine_fibonacci, Known::light}}) {
             if (map == &ring && placement != Placement::uniform) continue;
-            const Honesty told = honesty(light, small_picture(method, 10, 40, placement, known), truth);
-            CAPTURE(told.ratio);
-            CAPTURE(told.covered);
+            const Honesty told = honesty(light, small(method, 10, 40, placement, known), truth);
+            INFO(told.ratio, " ", told.covered);
             CHECK(told.ratio > 0.85);
             CHECK(told.ratio < 1.2);
             CHECK(told.covered > 0.85);
@@ -92,13 +82,13 @@ TEST_CASE("a picture without an object, or of one pixel, or of one sample, has a
     nothing.sphere.radius = 0;
     CHECK(root_mean_square(nothing, Image(5, 5)) == 0);
     CHECK(standard_errors(nothing, Image(5, 5), Image(5, 5))(2, 2).x == 0);
-    CHECK(pilot_rmse(nothing, {desert}, small_picture(Method::pool, 10)) == 0);
-    CHECK(pilot_rmse(scene, {desert}, small_picture(Method::mc, 40, 1)) > 0);
-    CHECK(pilot_rmse(scene, {desert}, small_picture(Method::mc, 1)) > 0.1);
+    CHECK(pilot_rmse(nothing, {desert}, small(Method::pool, 10)) == 0);
+    CHECK(pilot_rmse(scene, {desert}, small(Method::mc, 40, 1)) > 0);
+    CHECK(pilot_rmse(scene, {desert}, small(Method::mc, 1)) > 0.1);
 }
 
 TEST_CASE("a pilot renders all of a small picture, every k-th pixel of a large one") {
-    PictureSettings settings = small_picture(Method::pool, 20, 60);
+    PictureSettings settings = small(Method::pool, 20, 60);
     const auto whole = [&] {
         const Image a = picture(scene, {desert}, settings), b = picture(scene, {desert}, second(settings));
         double squares = 0, count = 0;
@@ -117,7 +107,7 @@ TEST_CASE("a pilot renders all of a small picture, every k-th pixel of a large o
 
 // Where few pixels show an object, a pilot has more pairs: one pair of a picture of 5 x 5 pixels is 25 % off.
 TEST_CASE("the pilot of a picture of few pixels tells the RMSE of many seeds") {
-    const PictureSettings tiny = small_picture(Method::mc, 10, 5);
+    const PictureSettings tiny = small(Method::mc, 10, 5);
     PictureSettings other = tiny;
     other.seed = 100;
     CHECK(relative(pilot_rmse(scene, {desert}, tiny), pilot_rmse(scene, {desert}, other)) < 0.15);
@@ -128,7 +118,7 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for, also u
     for (const auto& [map, target] : {std::pair(&desert, 0.02), {&stripes, 0.05}}) {
         const Truth truth = truth_of(dense_picture(*map));
         for (const Placement placement : {Placement::uniform, Placement::fibonacci}) {
-            PictureSettings settings = small_picture(Method::pool, 1, 40, placement);
+            PictureSettings settings = small(Method::pool, 1, 40, placement);
             const ChosenSamples chosen = samples_for(target, 1000, scene, {*map}, settings);
             CHECK(chosen.rmse <= target);
             settings.samples = chosen.samples;
@@ -144,7 +134,7 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for, also u
 }
 
 TEST_CASE("an easy RMSE takes 2 samples, an unreachable one is refused with what the most samples have") {
-    const PictureSettings settings = small_picture(Method::pool, 1, 20);
+    const PictureSettings settings = small(Method::pool, 1, 20);
     CHECK(samples_for(1, 4096, scene, {desert}, settings).samples == 2);
     CHECK(samples_for(1e9, 4096, scene, prefilter(desert), settings).samples == 2);
     const std::string refusal = message_of([&] { samples_for(1e-9, 6, scene, {desert}, settings); });
@@ -153,13 +143,10 @@ TEST_CASE("an easy RMSE takes 2 samples, an unreachable one is refused with what
 }
 
 TEST_CASE("an RMSE under a sun is refused unless the light is known") {
-    const EnvironmentMap map = map_of(64, 32, [](int column, int row) {
-        return column == 50 && row == 10 ? Color{1000, 900, 800} : Color{0.25, 0.5, 0.75};
-    });
-    for (const Known known : {Known::nothing, Known::cosine})
-        CHECK_THROWS_AS(asked_picture(map, small_picture(Method::pool, 1, 10, Placement::cosine_fibonacci, known),
-                                      {Show::picture, 1}, Format::pfm),
-                        UsageError);
-    CHECK_NOTHROW(asked_picture(map, small_picture(Method::pool, 1, 10, Placement::cosine_fibonacci, Known::light),
-                                {Show::picture, 1}, Format::pfm));
+    const auto asked = [](Known known) {
+        const PictureSettings settings = small(Method::pool, 1, 10, Placement::cosine_fibonacci, known);
+        return asked_picture(sunny, settings, {Show::picture, 1}, Format::pfm);
+    };
+    for (const Known known : {Known::nothing, Known::cosine}) CHECK_THROWS_AS(asked(known), UsageError);
+    CHECK_NOTHROW(asked(Known::light));
 }

@@ -40,8 +40,7 @@ TEST_CASE("300 random caps of the built-in light have the mean of a direct sum t
         worst = std::max(worst, std::fabs(error));
         squares += error * error / 300;
     }
-    CAPTURE(worst);
-    CAPTURE(std::sqrt(squares));
+    INFO(worst, " ", std::sqrt(squares));
     CHECK(worst < 0.07);
     CHECK(std::sqrt(squares) < 0.012);
 }

@@ -5,10 +5,10 @@
 namespace {
 
 // What a pixel does is compared, so that a few processes are enough.
-RenderSettings few_pixels(Method method, std::size_t samples) {
-    RenderSettings settings = small(method, samples);
-    settings.pool = 3;
-    settings.width = 17;
+RenderSettings few_pixels(Method method, std::size_t samples, Placement placement = Placement::uniform,
+                          Known known = Known::nothing) {
+    RenderSettings settings = small(method, samples, 17, placement, known);
+    settings.pool = samples > 100 ? 1 : 3;
     settings.height = 13;
     return settings;
 }
@@ -24,27 +24,17 @@ TEST_CASE("the fast loops give the textbook's bytes for every method, placement 
     for (const EnvironmentMap& light : {desert, load_environment("bright-desert")})
         for (const Method method : all_methods)
             for (const auto& placement : placement_names)
-                for (const Known known : {Known::nothing, Known::cosine}) {
-                    RenderSettings settings = few_pixels(method, 11);
-                    settings.placement = placement.second;
-                    settings.known = known;
-                    CAPTURE(placement.first);
-                    CHECK(twins_render_alike(settings, light));
-                }
+                for (const Known known : {Known::nothing, Known::cosine})
+                    CHECK_MESSAGE(twins_render_alike(few_pixels(method, 11, placement.second, known), light),
+                                  placement.first);
 }
 
 // Loops take 8 rays at a time, and batches have 256.
 TEST_CASE("the fast loops give the textbook's bytes for every number of samples") {
     for (const std::size_t samples : {1u, 2u, 7u, 8u, 9u, 15u, 16u, 17u, 255u, 256u, 257u, 511u, 512u, 513u})
-        for (const Method method : {Method::mc, Method::pool}) {
-            RenderSettings settings = few_pixels(method, samples);
-            if (samples > 100) settings.pool = 1;
-            CAPTURE(samples);
-            CHECK(twins_render_alike(settings, desert));
-        }
-    RenderSettings settings = few_pixels(Method::mc, 9000);
-    settings.placement = Placement::fibonacci;
-    CHECK(twins_render_alike(settings, desert));
+        for (const Method method : {Method::mc, Method::pool})
+            CHECK_MESSAGE(twins_render_alike(few_pixels(method, samples), desert), samples);
+    CHECK(twins_render_alike(few_pixels(Method::mc, 9000, Placement::fibonacci), desert));
 }
 
 TEST_CASE("the fast loops give the textbook's bytes for maps of any size and a sphere in the rectangle's shadow") {

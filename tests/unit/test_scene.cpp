@@ -15,9 +15,7 @@ TEST_CASE("the camera sees 60 degrees vertically, through pixel centres, row 0 a
 
 TEST_CASE("rays meet the sphere, the rectangle or nothing") {
     const Scene scene = sphere_scene();
-    const auto hit = [&](Vec3 origin, Vec3 direction) {
-        return intersect(scene, {origin, normalize(direction)}).value();
-    };
+    const auto hit = [&](Vec3 from, Vec3 direction) { return intersect(scene, {from, normalize(direction)}).value(); };
     const Hit ahead = hit({0, 0, 0}, {0, 0, -1}), down = hit({0, 0, 0}, {0, -2, -1.5});
     CHECK(ahead.object == Object::sphere);
     CHECK(ahead.point.z == -3);
@@ -43,8 +41,6 @@ TEST_CASE("hits lie on their object and face the ray") {
         ++(hit.object == Object::sphere ? spheres : rectangles);
         if (hit.object == Object::sphere) CHECK(std::fabs(length(hit.point - scene.sphere.centre) - 2) < 1e-14);
     });
-    CHECK(spheres > 1000);
-    CHECK(rectangles > 500);
     CHECK(object_pixels(scene, camera) == spheres + rectangles);
     CHECK(object_pixels(scene, {500, 500}) == 166094);
     CHECK(object_pixels(scene, {1000, 500}) > 166094);  // more of the rectangle, beside the square

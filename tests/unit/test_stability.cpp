@@ -55,35 +55,3 @@ TEST_CASE("what is singular in double precision is refused, naming the pivot, an
     CHECK(!weight_error(sample_set(SampleSet::random, 100), nearly_flat, 0));
     CHECK(weight_error(sample_set(SampleSet::random, 100), nearly_flat, 1e-2));
 }
-
-TEST_CASE("a long length-scale makes Bayesian Monte Carlo classic: w = 2 pi / (N + noise^2)") {
-    for (const double noise : {0.1, 1.0, 10.0}) {
-        const GaussianProcess process(SquaredExponential(1e6), noise, sample_set(SampleSet::random, 40));
-        // k differs from 1 by r^2 / 2 l^2 < 2e-12, which the condition number N / noise^2 < 4001 amplifies.
-        for (const double weight : process.weights())
-            CHECK(std::fabs(weight / (2 * pi / (40 + noise * noise)) - 1) < 1e-8);
-    }
-}
-
-TEST_CASE("duplicates share one weight") {
-    std::vector<Vec3> directions = sample_set(SampleSet::random, 20);
-    const double noise = 0.1;
-    const std::vector<double> alone = GaussianProcess(Sobolev(), noise / std::sqrt(2), directions).weights();
-    directions.insert(directions.end(), directions.begin(), directions.end());
-    const std::vector<double> twice = GaussianProcess(Sobolev(), noise, directions).weights();
-    // Two samples with noise variance v are one with v / 2. The condition number is about 1e4.
-    for (std::size_t i = 0; i < 20; ++i) {
-        CHECK(std::fabs(twice[i] - twice[i + 20]) < 1e-11);
-        CHECK(std::fabs(twice[i] + twice[i + 20] - alone[i]) < 1e-11);
-    }
-}
-
-TEST_CASE("sample sets are what their names say") {
-    for (const Vec3& d : sample_set(SampleSet::equator, 10)) CHECK(d.y == 0);
-    for (const Vec3& d : sample_set(SampleSet::pole, 10)) CHECK(d.y == 1);
-    const std::vector<Vec3> cluster = sample_set(SampleSet::cluster, 10), twice = sample_set(SampleSet::duplicates, 10);
-    for (std::size_t i = 0; i < 10; ++i) {
-        CHECK(length(cluster[i] - Vec3{0.48, 0.6, 0.64}) < 1.1e-8);
-        CHECK(twice[i].x == twice[i / 2 * 2].x);
-    }
-}
