@@ -152,6 +152,12 @@ TEST_CASE("an easy RMSE takes 2 samples, an unreachable one is refused with what
     CHECK(samples_for(1e-9, 4096, scene, {even_map(1, 1, 0)}, settings).rmse == 0);
 }
 
+TEST_CASE("a pilot of one rule is a pool: whether the rule is a lucky one changes no number of samples") {
+    const double pool = samples_for(0.02, 1000, scene, {desert}, small_picture(Method::pool, 20, 20)).rmse;
+    for (const Method method : {Method::single, Method::rotated, Method::direct})
+        CHECK(samples_for(0.02, 1000, scene, {desert}, small_picture(method, 20, 20)).rmse == pool);
+}
+
 TEST_CASE("an RMSE under a sun is refused unless the light is known") {
     const EnvironmentMap map = map_of(64, 32, [](int column, int row) {
         return column == 50 && row == 10 ? Color{1000, 900, 800} : Color{0.25, 0.5, 0.75};
