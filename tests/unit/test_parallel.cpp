@@ -3,15 +3,21 @@
 #include "test.h"
 
 #include <atomic>
+#include <thread>
 
-TEST_CASE("every row is computed once, whatever the number of threads, and progress ends at 1") {
+// Rows take a while, so that each thread gets some.
+TEST_CASE("every row is computed once by any number of threads, and one of them tells progress, which ends at 1") {
     for (const unsigned threads : {1u, 3u, 300u}) {
         std::vector<int> calls(100);
         double last = 0;
         for_each_row(
-            100, threads, [&](int y) { ++calls[static_cast<std::size_t>(y)]; },
-            [&](double done) {
-                CHECK(done > last);
+            100, threads,
+            [&](int y) {
+                ++calls[static_cast<std::size_t>(y)];
+                std::this_thread::sleep_for(std::chrono::microseconds(100));
+            },
+            [&, caller = std::this_thread::get_id()](double done) {
+                CHECK((done > last && std::this_thread::get_id() == caller));
                 last = done;
             });
         CHECK(calls == std::vector<int>(100, 1));
