@@ -142,6 +142,12 @@ TEST_CASE("an easy RMSE takes 2 samples, an unreachable one is refused with what
     CHECK(samples_for(1e-9, 4096, scene, {even_map(1, 1, 0)}, settings).rmse == 0);
 }
 
+TEST_CASE("a pilot of one rule is a pool: whether the rule is a lucky one changes no number of samples") {
+    const double pool = samples_for(0.02, 1000, scene, {desert}, small(Method::pool, 20, 20)).rmse;
+    for (const Method method : {Method::single, Method::rotated, Method::direct})
+        CHECK(samples_for(0.02, 1000, scene, {desert}, small(method, 20, 20)).rmse == pool);
+}
+
 TEST_CASE("an RMSE under a sun is refused unless the light is known") {
     const auto asked = [](Known known) {
         const PictureSettings settings = small(Method::pool, 1, 10, Placement::cosine_fibonacci, known);
