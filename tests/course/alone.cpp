@@ -346,8 +346,8 @@ void print_cosine_rule() {
                          {{weight * weight * y}, " is squared"},
                          {{weight + y}, " has cos(theta) added to it"},
                          {{weight * std::sqrt(1 - y * y)}, " has the sine in place of cos(theta)"},
-                         {{weight * std::acos(y), weight * std::cos(y), weight * directions[i].z},
-                          " has the angle, cos(y) or z in it; y is cos(theta)"}},
+                         {{weight * std::acos(y), weight * std::cos(y), weight * directions[i].z, weight * (1 - y)},
+                          " has the angle, cos(y), 1 - y or z in it; y is cos(theta)"}},
                         NAN, y);
     });
 }
