@@ -96,7 +96,7 @@ inline Mistakes mistakes(const std::vector<double>& terms, Mistakes own, double 
 }
 
 // Whether each case i was given what is right, the first of mistakes_of(i). If not, tells the mistake by which each is
-// explained, with what this is about where the words begin with a space.
+// explained, with what this is about where the words begin with a space or a colon.
 template <class MistakesOf>
 bool explain(const std::string& about, const std::vector<double>& given, MistakesOf mistakes_of) {
     std::vector<Mistakes> all;
@@ -106,7 +106,7 @@ bool explain(const std::string& about, const std::vector<double>& given, Mistake
             for (i = 0; i < given.size() && near(given[i], all[i][m].values[way]);) ++i;
             if (i < given.size()) continue;
             const std::string& words = all[0][m].words;
-            explain_if(m > 0, "%s%s", words[0] == ' ' ? about.c_str() : "", words.c_str());
+            explain_if(m > 0, "%s%s", words.find_first_of(" :") == 0 ? about.c_str() : "", words.c_str());
             return m == 0;
         }
     return false;
