@@ -38,7 +38,6 @@ std::string light_file() {
     return to_radiance_hdr(load_environment());
 }
 
-// The first is what the workbench does without a command.
 std::vector<Command> commands() {
     return {command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
             command<Rule>("rule", "directions and weights of a rule"),
@@ -76,7 +75,8 @@ std::string help_text(const Command& command, const std::vector<Option>& options
            "          ./workbench tradeoff --no-times\n";
 }
 
-std::string run(int argc, char** argv) {
+// What to print. Throws UsageError.
+std::function<std::string()> parse(int argc, char** argv) {
     const bool named = argc > 1 && argv[1][0] != '-';
     const Command command = named ? command_named(argv[1]) : commands().front();
     bool help = false;
@@ -90,11 +90,12 @@ std::string run(int argc, char** argv) {
     } catch (const UsageError& error) {
         throw UsageError((named ? command.name + ": " : "") + error.what());
     }
-    return help ? help_text(command, options) : command.report();
+    if (help) return [=] { return help_text(command, options); };
+    return command.report;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_program("workbench", [&] { return run(argc, argv); });
+    return run_program("workbench", [&] { return parse(argc, argv)(); });
 }

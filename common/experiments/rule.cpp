@@ -53,8 +53,7 @@ Samples read_samples(std::istream& in) {
     try {
         for (; in.getline(text, sizeof text); ++line) {
             const auto length = static_cast<std::size_t>(in.gcount()) - !in.eof();  // without the '\n'
-            const std::vector<double> numbers = numbers_of({text, length});
-            if (!numbers.empty()) add_sample(samples, numbers);
+            if (const auto numbers = numbers_of({text, length}); !numbers.empty()) add_sample(samples, numbers);
         }
         if (!in.eof()) throw std::runtime_error("it is longer than 4095 characters");
     } catch (const std::runtime_error& error) {

@@ -30,6 +30,8 @@ public:
     // Q^-1 z by two triangular solves.
     const std::vector<double>& weights() const { return weights_; }
 
+    const Cholesky& cholesky() const { return cholesky_; }
+
     // Q^-1, n x n; an estimate does not need it.
     Matrix inverse_covariance() const { return cholesky_.inverse(); }
 

@@ -4,6 +4,7 @@
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
+#include <numeric>
 #include <stdexcept>
 
 using namespace bmc;
@@ -11,135 +12,123 @@ using namespace bmc;
 namespace {
 
 double first_z = 1.5;
-const double zz = Sobolev().integral_of_z();
+constexpr double z1 = 3.25, last_z = 2.5;  // the second z, and those after it
 
-// The first, the second or the last weight of a process.
-struct Weight {
-    double given;
-    int place;
-    double z0, z1, n;
-
-    // Where these are the first two rows in place of those of Q^-1, and the last element of the diagonal.
-    double by(double a, double b, double c, double d, double last) const {
-        return place == 0 ? a * z0 + b * z1 : place == 1 ? c * z0 + d * z1 : 2.5 * last;
-    }
-    double right() const { return by(1, -1, -1, 2, 0.25); }
-    double share() const { return right() / (z1 + (n - 2) * 2.5 / 4); }
-};
-
-// An estimate or a variance, and sums of the student's own weights w, of z and of the values y.
+// What an estimate and a variance are made of: values, the student's own weights, z and the cosines.
 struct Sum {
-    double given, n, last, wy_first, first;
-    double w = 0, y = 0, wy = 0, zy = 0, zw = 0, zz = 0, ww = 0, wyy = 0, wyc = 0, wwy = 0, size = 0, above = 0,
-           whole = 0;
+    std::vector<double> y, w, z, cosines;
 };
 
-std::vector<Weight> weights;
-std::vector<Sum> estimates, variances;
+std::vector<Sum> sums;
+std::vector<double> weights, estimates, variances;  // of a sum the first, the second and the last weight
 
 void print(const char* name, double z, const std::vector<double>& y) {
     first_z = z;
     std::vector<Vec3> directions;
+    Sum sum{y, {}, {}, {}};
     const double n = static_cast<double>(y.size());
-    for (double i = 1; i <= n; ++i)
-        directions.push_back(rotate_around_y({3 / std::sqrt(i * i + 9), i / std::sqrt(i * i + 9), 0}, i / 7));
-    const GaussianProcess process(Sobolev(), 0.01, directions);
-    const std::vector<double>&w = process.weights(), &its = process.z();
-    if (w.size() != y.size()) throw std::runtime_error("there should be a weight for each direction");
-    const double integral = process.integral(y);
-    std::printf("%-20s %.9g %.9g %.9g %.9g %.9g\n", name, w[0], w[1], w.back(), process.variance(), integral);
-    for (int place = 0; place < 3; ++place) weights.push_back({place < 2 ? w[place] : w.back(), place, z, 3.25, n});
-    Sum sum{integral, n, w.back() * y.back(), w[0] * y[0], z * w[0]};
-    for (std::size_t i = 0; i < y.size(); ++i) {
-        sum.w += w[i], sum.y += y[i], sum.wy += w[i] * y[i], sum.zy += its[i] * y[i], sum.zw += its[i] * w[i];
-        sum.zz += its[i] * its[i], sum.ww += w[i] * w[i], sum.wyc += w[i] * y[i] * directions[i].y;
-        sum.wwy += w[i] * w[i] * y[i];
-        sum.wyy += w[i] * y[i] * y[i], sum.size += w[i] * std::fabs(y[i]), sum.above += w[i] * std::max(0.0, y[i]);
-        sum.whole = std::trunc(sum.whole + w[i] * y[i]);
+    for (double i = 1; i <= n; ++i) {
+        sum.cosines.push_back(i / std::sqrt(i * i + 9));
+        directions.push_back(rotate_around_y({3 / std::sqrt(i * i + 9), sum.cosines.back(), 0}, i / 7));
     }
-    estimates.push_back(sum);
-    sum.given = process.variance();
-    variances.push_back(sum);
+    const GaussianProcess process(Sobolev(), 0.01, directions);
+    sum.w = process.weights(), sum.z = process.z();
+    if (sum.w.size() != y.size()) throw std::runtime_error("there should be a weight for each direction");
+    weights.insert(weights.end(), {sum.w[0], sum.w[1], sum.w.back()});
+    estimates.push_back(process.integral(y)), variances.push_back(process.variance());
+    std::printf("%-20s %.9g %.9g %.9g %.9g %.9g\n", name, sum.w[0], sum.w[1], sum.w.back(), variances.back(),
+                estimates.back());
+    sums.push_back(sum);
 }
 
 void explain_all() {
-    using W = const Weight&;
-    using S = const Sum&;
-    explain<Weight>(
-        weights,
-        {{[](W w) { return w.right(); }, nullptr},
-         {[](W w) { return w.by(1, 0, 0, 1, 1); }, "the weights are z: Q^-1 is missing"},
-         {[](W w) { return w.by(2, 1, 1, 1, 4); }, "the weights are Q z, not Q^-1 z"},
-         {[](W w) { return w.by(M_SQRT1_2, 0, -M_SQRT1_2, M_SQRT2, 0.5); },
-          "the weights are those of solve_lower, half of the way; solve goes it all"},
-         {[](W w) { return w.by(M_SQRT2, M_SQRT1_2, 0, M_SQRT1_2, 2); }, "the weights are U z, not Q^-1 z"},
-         {[](W w) { return w.by(M_SQRT2, 0, M_SQRT1_2, M_SQRT1_2, 2); }, "the weights are U^T z, not Q^-1 z"},
-         {[](W w) { return w.by(0, 0, -1, 0, 0); }, "of Q^-1 only what is left of the diagonal counts"},
-         {[](W w) { return w.by(1, 0, -1, 2, 0.25); }, "of Q^-1 nothing counts that is right of the diagonal"},
-         {[](W w) { return w.by(1, -1, 0, 2, 0.25); }, "of Q^-1 nothing counts that is left of the diagonal"},
-         {[](W w) { return w.by(1, 0, 0, 2, 0.25); }, "of Q^-1 only the diagonal counts"},
-         {[](W w) { return w.by(0, 0, 0, 0, 0.25); }, "the sums over j keep their last terms alone: = in place of +="},
-         {[](W w) { return w.by(0, 0, 0, 1, 0.25); }, "z_i stands where z_j should"},
-         {[](W w) { return w.place == 2 ? 0.25 : w.place; }, "the weights are sums of rows of Q^-1: z is missing"},
-         {[](W w) { return 2 * portable::pi * w.right(); }, "the weights are multiplied by 2 pi; z has that"},
-         {[](W) { return 0.0; }, "the weights are all 0: are they set?"},
-         {[](W w) { return w.by(2, -3, -3, 5, 0.0625); }, "Q^-1 is applied twice"},
-         {[](W w) { return w.by(M_SQRT1_2, 0, 0, M_SQRT2, 0.5); }, "z is divided by the diagonal of U alone"},
-         {[](W w) { return w.by(0.5, 0, 0, 1, 0.25); }, "z is divided by the diagonal of Q alone"},
-         {[](W w) { return std::fabs(w.right()); }, "a weight below 0 has lost its sign"},
-         {[](W w) { return std::max(0.0, w.right()); }, "a weight below 0 is taken for 0"},
-         {[](W w) { return -w.right(); }, "the weights have the other sign"},
-         {[](W w) { return w.right() / w.n; }, "the weights are divided by the number of samples"},
-         {[](W w) { return 2 * portable::pi / w.n * w.right(); }, "the weights are multiplied by Monte Carlo's"},
-         {[](W w) { return w.share(); }, "the weights are made to add up to 1; they are Q^-1 z"},
-         {[](W w) { return 2 * portable::pi * w.share(); }, "the weights are made to add up to 2 pi; they are Q^-1 z"},
-         {[](W w) { return 2 * portable::pi / w.n; }, "the weights are Monte Carlo's: Q and z do not count"}});
-    explain<Sum>(
-        variances,
-        {{[](S s) { return std::max(0.0, zz - s.zw); }, nullptr},
-         {[](S s) { return zz - s.zw; }, "the variance is below 0: rounding can make it so, and then it is 0"},
-         {[](S) { return zz; }, "the variance is zz alone"},
-         {[](S s) { return std::fabs(zz - s.zw); }, "a variance below 0 loses its sign; it should be 0"},
-         {[](S s) { return std::max(0.0, zz - s.zw) * std::max(0.0, zz - s.zw); }, "the variance is squared"},
-         {[](S s) { return (zz - s.zw) * (zz - s.zw); }, "the variance is squared"},
-         {[](S s) { return std::sqrt(std::max(0.0, zz - s.zw)); }, "the variance is a root of what it should be"},
-         {[](S s) { return std::max(0.0, s.zw - zz); }, "the variance has the other sign"},
-         {[](S) { return 0.0; }, "the variance is 0 everywhere: is zz missing?"},
-         {[](S s) { return std::max(0.0, 1 - s.zw / zz); }, "the variance is divided by zz"},
-         {[](S s) { return std::max(0.0, zz - s.zz); }, "the weights are missing in the variance: z counts twice"},
-         {[](S s) { return std::max(0.0, zz - s.ww); }, "z is missing in the variance: the weights count twice"},
-         {[](S s) { return std::max(0.0, zz - s.first); }, "in the variance only the first term of z^T w counts"},
-         {[](S s) { return std::max(0.0, zz - s.zw / s.n); }, "in the variance z^T w is divided by n"},
-         {[](S s) { return std::max(0.0, s.zw); }, "zz is missing in the variance"},
-         {[](S s) { return std::max(0.0, zz + s.zw); }, "z w is added to zz in the variance"},
-         {[](S s) { return std::max(0.0, zz - s.w); }, "z is missing in the variance"},
-         {[](S s) { return zz - s.w; }, "z is missing in the variance"}});
-    explain<Sum>(
-        estimates,
-        {{[](S s) { return s.wy; }, nullptr},
-         {[](S s) { return s.whole; }, "the estimate is a whole number: is the sum an int?"},
-         {[](S s) { return s.wy / s.n; },
-          "the estimate is divided by the number of samples; the weights do that already"},
-         {[](S s) { return s.wy / s.w; }, "the estimate is divided by the sum of the weights"},
-         {[](S s) { return 2 * portable::pi * s.wy; },
-          "the estimate is multiplied by 2 pi; the weights do that already"},
-         {[](S s) { return s.wy - s.last; }, "the last value does not count"},
-         {[](S s) { return s.wy - s.wy_first; }, "the first value does not count"},
-         {[](S s) { return s.wyc; }, "the values are multiplied by cos(theta)"},
-         {[](S s) { return s.w * s.y; }, "the product of two sums; it should be a sum of products"},
-         {[](S s) { return s.wwy; }, "the weights are squared"},
-         {[](S s) { return s.wy / (2 * portable::pi); }, "the estimate is divided by 2 pi"},
-         {[](S s) { return s.w + s.y; }, "weights and values are added, not multiplied"},
-         {[](S s) { return s.last; }, "only the last value counts"},
-         {[](S s) { return s.zy; }, "the values are weighted by z"},
-         {[](S s) { return s.wyy; }, "the values are squared"},
-         {[](S s) { return s.size; }, "the sign of the values is lost"},
-         {[](S s) { return s.above; }, "values below 0 do not count"},
-         {[](S s) { return s.w; }, "the estimate is the sum of the weights: the values are missing"},
-         {[](S s) { return 2 * portable::pi / s.n * s.y; },
-          "the estimate is Monte Carlo's: it does not use the weights"},
-         {[](S s) { return s.y / s.n; }, "the estimate is the mean of the values: it does not use the weights"},
-         {[](S s) { return s.y; }, "the estimate is the sum of the values: it does not use the weights"}});
+    explain("a weight", weights, [](std::size_t i) {
+        const std::size_t place = i % 3;
+        const double z0 = sums[i / 3].z[0], n = static_cast<double>(sums[i / 3].y.size());
+        // By these first two rows in place of those of Q^-1, and this last element of the diagonal.
+        const auto by = [&](double a, double b, double c, double d, double last) {
+            return place == 0 ? a * z0 + b * z1 : place == 1 ? c * z0 + d * z1 : last_z * last;
+        };
+        const double right = by(1, -1, -1, 2, 0.25), share = right / (z1 + (n - 2) * last_z / 4), root = std::sqrt(0.5);
+        return mistakes(
+            right,
+            {{{by(1, 0, 0, 1, 1)}, "the weights are z: Q^-1 is missing"},
+             {{by(2, 1, 1, 1, 4)}, "the weights are Q z, not Q^-1 z"},
+             {{by(root, 0, -root, 2 * root, 0.5)},
+              "the weights are those of solve_lower, half of the way; solve goes it all"},
+             {{by(2 * root, root, 0, root, 2), by(2 * root, 0, root, root, 2)},
+              "the weights are U z or U^T z, not Q^-1 z"},
+             {{by(0, -1, 0, 2, 0.25), by(1, -1, -1, 2, 0)}, "the sum over j lacks its first or its last term"},
+             {{right * (place == 0   ? z0
+                        : place == 1 ? z1
+                                     : last_z)},
+              " is multiplied by z once more"},
+             {{by(0, 0, -1, 0, 0), by(1, 0, -1, 2, 0.25), by(1, -1, 0, 2, 0.25), by(1, 0, 0, 2, 0.25)},
+              "of Q^-1 only a triangle or the diagonal counts"},
+             {{by(0, 0, 0, 0, 0.25)}, "the sums over j keep their last terms alone: = in place of +="},
+             {{by(0, 0, 0, 1, 0.25)}, "z_i stands where z_j should"},
+             {{place == 2   ? 0.25
+               : place == 1 ? 1.0
+                            : 0.0},
+              "the weights are sums of rows of Q^-1: z is missing"},
+             {{by(2, -3, -3, 5, 0.0625)}, "Q^-1 is applied twice"},
+             {{by(root, 0, 0, 2 * root, 0.5), by(0.5, 0, 0, 1, 0.25)}, "z is divided by the diagonal of U or Q alone"},
+             {{share, 2 * portable::pi * share}, "the weights are made to add up to 1 or 2 pi; they are Q^-1 z"},
+             {{2 * portable::pi / n}, "the weights are Monte Carlo's: Q and z do not count"}},
+            n);
+    });
+    const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
+        return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+    };
+    explain("the variance", variances, [&](std::size_t i) {
+        const Sum& s = sums[i];
+        const double zz = Sobolev().integral_of_z(), zw = product(s.z, s.w),
+                     w = product(std::vector<double>(s.w.size(), 1), s.w);
+        const auto above = [](double v) { return std::max(0.0, v); };
+        return mistakes(above(zz - zw),
+                        {{{zz - zw}, " is below 0: rounding can make it so, and then it is 0"},
+                         {{zz}, " is zz alone"},
+                         {{std::fabs(zz - zw)}, " loses its sign where it is below 0; it should be 0 there"},
+                         {{above(zw - zz)}, " has the other sign"},
+                         {{std::min(0.0, zz - zw)}, " is cut off where it is above 0: min in place of max"},
+                         {{0}, " is 0 everywhere: is zz missing?"},
+                         {{above(1 - zw / zz)}, " is divided by zz"},
+                         {{above(zz - product(s.z, s.z))}, "the weights are missing in the variance: z counts twice"},
+                         {{above(zz - product(s.w, s.w)), above(zz - w), zz - w}, "z is missing in the variance"},
+                         {{above(zz - s.z[0] * s.w[0])}, "in the variance only the first term of z^T w counts"},
+                         {{above(zz - zw / static_cast<double>(s.w.size())), above(zz - 2 * zw),
+                           above(zz - zw / (2 * portable::pi)), above(zz - 2 * portable::pi * zw)},
+                          "in the variance z^T w has a factor: n, 2 or 2 pi"},
+                         {{above(zw)}, "zz is missing in the variance"},
+                         {{above(zz + zw)}, "z w is added to zz in the variance"}});
+    });
+    explain("the estimate", estimates, [&](std::size_t number) {
+        const Sum& s = sums[number];
+        const double n = static_cast<double>(s.y.size()), right = product(s.w, s.y);
+        double w = 0, y = 0, wyc = 0, wwy = 0, wyy = 0;
+        std::vector<double> terms;
+        for (std::size_t i = 0; i < s.y.size(); ++i) {
+            terms.push_back(s.w[i] * s.y[i]);
+            w += s.w[i], y += s.y[i], wyc += terms[i] * s.cosines[i], wwy += s.w[i] * terms[i],
+                wyy += terms[i] * s.y[i];
+        }
+        return mistakes(terms, {
+
+                                   {{right / w}, " is divided by the sum of the weights"},
+
+                                   {{wyc}, "the values are multiplied by cos(theta)"},
+                                   {{w * y}, " is the product of two sums; it should be a sum of products"},
+                                   {{wwy}, "the weights are squared"},
+                                   {{w + y}, "weights and values are added, not multiplied"},
+                                   {{w * s.y[0]}, "the first value serves for every sample"},
+
+                                   {{product(s.z, s.y)}, "the values are weighted by z"},
+                                   {{wyy}, "the values are squared"},
+
+                                   {{w}, " is the sum of the weights: the values are missing"},
+                                   {{y, y / n, 2 * portable::pi / n * y},
+                                    " is the mean or the sum of the values: it does not use the weights"}});
+    });
 }
 
 void integral() {
@@ -166,8 +155,8 @@ Matrix bmc::covariance_matrix(const Covariance&, double, const std::vector<Vec3>
 }
 
 std::vector<double> bmc::z_of(const Covariance&, const std::vector<Vec3>& directions, Known) {
-    std::vector<double> z(directions.size(), 2.5);
-    z[0] = first_z, z[1] = 3.25;
+    std::vector<double> z(directions.size(), last_z);
+    z[0] = first_z, z[1] = z1;
     return z;
 }
 

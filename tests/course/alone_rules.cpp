@@ -113,64 +113,41 @@ struct Column {
     double given;
     std::vector<double> values;  // estimates, or standard errors, which have the truth 0
     double truth, n, other;      // numbers of samples, and of the other method's estimates
-
-    double count() const { return static_cast<double>(values.size()); }
-    double sum(double (*term)(double error)) const {
-        double sum = 0;
-        for (const double value : values) sum += term(value - truth);
-        return sum;
-    }
-    double size() const {
-        return sum([](double error) { return std::fabs(error); });
-    }
-    double bias() const {
-        return sum([](double error) { return error; });
-    }
-    double squares() const {
-        return sum([](double error) { return error * error; });
-    }
-    double whole() const {
-        int sum = 0;
-        for (const double value : values) sum = static_cast<int>(sum + std::fabs(value - truth));
-        return sum;
-    }
 };
 
-void explain_column(const char* name, std::vector<Column> rows) {
-    using C = const Column&;
-    const Mistake<Column> mistakes[] = {
-        {[](C c) { return c.size() / c.count(); }, nullptr},
-        {[](C c) { return c.size(); }, "is a sum; it should be a mean"},
-        {[](C) { return 0.0; }, "is 0 everywhere"},
-        {[](C c) { return c.whole() / c.count(); }, "has a sum of whole numbers: is it an int?"},
-        {[](C c) { return c.size() / c.other; }, "is divided by the number of the other method's estimates"},
-        {[](C c) { return c.size() / c.n; }, "is divided by the number of samples"},
-        {[](C c) { return c.size() / c.count() / c.count(); }, "is divided by the number of estimates twice"},
-        {[](C c) { return c.size() / c.count() / c.n; }, "is divided by the number of samples, too"},
-        {[](C c) { return (c.bias() + 2 * c.truth * c.count()) / c.count(); },
-         "has the truth added; it is to be subtracted"},
-        {[](C c) { return c.size() / c.count() / c.truth; }, "is divided by the truth"},
-        {[](C c) { return c.bias() / c.count() + c.truth; }, "has a mean of estimates: the truth is not subtracted"},
-        {[](C c) { return c.bias() / c.count(); }, "is a mean without absolute values"},
-        {[](C c) { return std::fabs(c.bias() / c.count()); },
-         "is the absolute value of a mean; it should be the mean of absolute values"},
-        {[](C c) { return -c.bias() / c.count(); }, "is a mean without absolute values"},
-        {[](C c) { return std::sqrt(c.squares() / c.count()); },
-         "is the root of a mean square; it should be the mean of absolute values"},
-        {[](C c) { return c.squares() / c.count(); }, "is a mean of squares; it should be one of absolute values"},
-        {[](C c) { return std::fabs(c.values.back() - c.truth); }, "is the last estimate's alone"},
-        {[](C c) { return std::fabs(c.values.back() - c.truth) / c.count(); },
-         "is the last estimate's alone: = in place of +="},
-        {[](C c) { return std::fabs(c.values[0] - c.truth); }, "is the first estimate's alone"},
-        {[](C) { return 0.3; }, "is the variance of the process; standard_error(values) gives the error"},
-        {[](C) { return std::sqrt(0.3); }, "lacks the amplitude; standard_error(values) has it"}};
-    for (Column& row : rows)
-        if (row.values.empty()) row.values = {NAN};  // nothing that is known
-    for (const Mistake<Column>& mistake : mistakes) {
-        if (!explain<Column>(rows, {{mistake.value, nullptr}})) continue;
-        explain_if(mistake.words, "%s %s", name, mistake.words);
-        return;
+Mistakes mistakes_of_column(const Column& c) {
+    std::vector<double> errors;
+    double size = 0, bias = 0;
+    for (const double value : c.values) {
+        errors.push_back(std::fabs(value - c.truth));
+        size += errors.back(), bias += value - c.truth;
     }
+    const double count = static_cast<double>(errors.size());
+    return mistakes(errors,
+                    {{{size}, " is a sum; it should be a mean"},
+
+                     {{size / c.other}, " is divided by the number of the other method's estimates"},
+                     {{size / c.n, size / count / c.n}, " is divided by the number of samples"},
+                     {{size / count / count}, " is divided by the number of estimates twice"},
+
+                     {{bias / count + 2 * c.truth}, " has the truth added; it is to be subtracted"},
+                     {{size / count / c.truth}, " is divided by the truth"},
+                     {{bias / count + c.truth}, " has a mean of estimates: the truth is not subtracted"},
+                     {{bias / count, -bias / count, std::fabs(bias / count)},
+                      " is a mean without absolute values, or the absolute value of a mean"},
+
+                     {{0.3, std::sqrt(0.3)},
+                      " is the variance of the process or its root; standard_error(values) gives the error"}},
+                    1 / count);
+}
+
+void explain_column(const char* name, std::vector<Column> rows) {
+    std::vector<double> given;
+    for (Column& row : rows) {
+        given.push_back(row.given);
+        if (row.values.empty()) row.values = {NAN};  // nothing that is known
+    }
+    explain(name, given, [&](std::size_t i) { return mistakes_of_column(rows[i]); });
 }
 
 void table() {
@@ -250,6 +227,8 @@ const char* angle(const std::vector<Pixel>& pixels) {
                                                       {0, "not turned"},
                                                       {-1, "by the turns, but the other way round"},
                                                       {1 / (2 * pi), "by so many radians instead of turns"},
+                                                      {pi / 180, "by pi / 180 as much: turns are no degrees"},
+                                                      {1.0 / 360, "by a 360th: turns are no degrees"},
                                                       {2 * pi, "by 2 pi as much: turns are no radians"},
                                                       {360, "by 360 times as much: turns are no degrees"},
                                                       {360 / (2 * pi), "by 57.3 times as much: turns are no degrees"},
@@ -265,38 +244,31 @@ const char* angle(const std::vector<Pixel>& pixels) {
     return "by another angle, or directions by different ones";
 }
 
-// A rule by its number, and the random numbers of its pixel.
-struct Choice {
-    double given, u, turns;
-};
-
 void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
     for (const auto& shared : rules.shared()) numbers.emplace(shared.weights.at(0), numbers.size());
     std::map<std::size_t, std::pair<double, double>> chosen;  // the least and the largest u for which it is chosen
-    std::vector<Choice> choices;
+    std::vector<double> choices;
     for (const Pixel& pixel : pixels) {
         const auto number = numbers.find(pixel.placed.rule->weights.at(0));
         if (number == numbers.end()) throw std::runtime_error("the rule is none of shared_rules_");
         auto& [least, largest] = chosen.emplace(number->second, std::pair(pixel.u, pixel.u)).first->second;
         least = std::min(least, pixel.u), largest = std::max(largest, pixel.u);
-        choices.push_back({static_cast<double>(number->second), pixel.u, pixel.turns});
+        choices.push_back(static_cast<double>(number->second));
     }
-    using C = const Choice&;
     if (numbers.size() > 1)
-        explain<Choice>(
-            choices,
-            {{[](C c) { return std::floor(7 * c.u); }, nullptr},
-             {[](C c) { return std::floor(7 * c.turns); }, "turns chooses the rule; u is for that"},
-             {[](C) { return 0.0; }, "the first rule is always chosen"},
-             {[](C) { return 6.0; }, "the last rule is always chosen"},
-             {[](C c) { return std::floor(6 * c.u); }, "u is multiplied by size - 1, so the last is never chosen"},
-             {[](C c) { return std::floor(6 * c.u + 0.5); }, "u (size - 1) is rounded; u size is to be cut off"},
-             {[](C c) { return std::ceil(6 * c.u); }, "u (size - 1) is rounded up; u size is to be cut off"},
-             {[](C c) { return 6 - std::floor(7 * c.u); }, "the rules are counted from the end"},
-             {[](C c) { return std::min(6.0, std::floor(7 * c.u + 0.5)); }, "u size is rounded; it is to be cut off"},
-             {[](C c) { return std::min(6.0, std::floor(20 * c.u)); },
-              "u is multiplied by 20; the pool has size() rules"}});
+        explain("", choices, [&](std::size_t i) {
+            const double u = pixels[i].u;
+            return Mistakes{{{std::floor(7 * u)}, ""},
+                            {{std::floor(7 * pixels[i].turns)}, "turns chooses the rule; u is for that"},
+                            {{0}, "the first rule is always chosen"},
+                            {{6}, "the last rule is always chosen"},
+                            {{std::floor(6 * u)}, "u is multiplied by size - 1, so the last is never chosen"},
+                            {{std::floor(6 * u + 0.5), std::ceil(6 * u), std::min(6.0, std::floor(7 * u + 0.5))},
+                             "u size is to be cut off, not rounded, nor is u (size - 1)"},
+                            {{6 - std::floor(7 * u)}, "the rules are counted from the end"},
+                            {{std::min(6.0, std::floor(20 * u))}, "u is multiplied by 20; the pool has size() rules"}};
+        });
     std::printf("# rules never chosen:");
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (chosen.count(i) == 0) std::printf(" %zu of %zu", i, numbers.size());
@@ -329,7 +301,7 @@ void method() {
         for (std::size_t j = 0; j < rule.size(); ++j) {
             const double y = static_cast<double>(rule.y[j]);
             opposite = opposite && std::fabs(pixels.back().local(j).y + y) < 1e-3;
-            world = world && std::fabs(dot(pixels.back().placed.frame.normal, {0, 1, 0}) - 1) < 1e-9;
+            world = world && squared_distance(pixels.back().placed.frame.normal, pixels[0].placed.frame.normal) < 1e-9;
             if (!(std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3)) {
                 upright = false;
                 above = above && normal.y < 0;

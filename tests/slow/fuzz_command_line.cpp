@@ -80,8 +80,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         require(settings.width >= 1 && settings.width <= 8192 && settings.height >= 1 && settings.height <= 8192);
         check(settings);
     });
-    parse(words,
-          [](int argc, char** argv) { require(workbench_program::parse(argc, argv).command.report != nullptr); });
+    parse(words, [](int argc, char** argv) { require(workbench_program::parse(argc, argv) != nullptr); });
     parse(words, [](int argc, char** argv) {
         const ErrorSettings settings = parse_experiment<ErrorTables>(argc, argv).settings;
         for (const std::size_t n : settings.samples) require(n >= 1 && n <= 4096);

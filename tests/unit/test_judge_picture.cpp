@@ -1,4 +1,4 @@
-// What tests/course/check_judge does not try: other files, other lights, the causes that are named.
+// What tests/course/tests/check_judge does not try: other files, other lights, the causes that are named.
 #include "../course/judge/judge_picture.h"
 
 #include "test.h"

@@ -56,8 +56,9 @@ TEST_CASE("pixels share as many rules as the method says: none where each makes 
     const auto shared = [](Method method, Placement placement) {
         return PixelRules(small(method, 3, 40, placement)).shared().size();
     };
-    for (const auto& [name, placement] : placement_names) {
-        INFO(name);
+    for (const auto& row : placement_names) {
+        const Placement placement = row.second;
+        INFO(row.first);
         CHECK(shared(Method::mc, placement) == (is_lattice(placement) ? 1 : 0));
         CHECK(shared(Method::direct, placement) == 0);
         CHECK(shared(Method::single, placement) == 1);

@@ -59,14 +59,6 @@ Background background_of(const Image& picture, const Truth& truth, int maxval) {
     return {differing / count, std::max(0.001, 2 / count), outline / std::max(1.0, differing), down};
 }
 
-// A picture of codes, half a code brighter: as it was before its program rounded codes down.
-Image undo_rounding(const Image& picture, int maxval) {
-    return each_channel(picture, [&](double linear) {
-        const double code = maxval * srgb_encoded(linear);
-        return code < 0.5 || code > maxval - 0.5 ? linear : srgb_decoded((code + 0.5) / maxval);
-    });
-}
-
 // A picture beside what its file can hold of a truth.
 struct View {
     const Truth* truth;
@@ -80,7 +72,11 @@ View view_of(const Image& picture, const Truth& whole, int maxval, bool rounds_d
     const auto hold = [&](double v) { return maxval > 0 ? std::min(v, 1.0) : v; };
     const Truth truth{each_channel(whole.image, hold), whole.mask};
     const Background background = background_of(picture, truth, maxval);
-    const Image image = rounds_down ? undo_rounding(picture, maxval) : picture;
+    const Image image =
+        each_channel(picture, [&](double linear) {  // half a code brighter, as before it was rounded down
+            const double code = rounds_down ? maxval * srgb_encoded(linear) : 0;
+            return code < 0.5 || code > maxval - 0.5 ? linear : srgb_decoded((code + 0.5) / maxval);
+        });
     const double light = image_error(Image(image.width(), image.height()), truth).rmse,
                  lost = -image_error(truth.image, whole).brightness;
     return {&whole, background, rounds_down, fingerprint(image, truth), largest_block_error(image, truth), light, lost};
@@ -100,24 +96,6 @@ View nearest_view(const PictureFile& picture, const Expected& expected) {
     const double mean = spread_of(expected.correct, brightness_number).mean;
     const auto error = [&](const View& each) { return std::fabs(each.fingerprint[brightness_number] - mean); };
     return nearest.background.down > 0 || error(down) < error(nearest) ? down : nearest;
-}
-
-// The fingerprints of correct pictures in files of this kind.
-std::vector<Fingerprint> correct_fingerprints(const EnvironmentLight& light, const Expected& expected,
-                                              const Progress& progress) {
-    PictureSettings settings = expected.settings;
-    if (settings.method == Method::direct) {  // a large pool has the same numbers, and is cheaper
-        const double n = static_cast<double>(settings.samples);
-        settings.method = Method::pool;
-        settings.pool = static_cast<std::size_t>(std::clamp(1e8 / (n * n * n), 50.0, 500.0));
-    }
-    std::vector<Fingerprint> correct;
-    for (; correct.size() < seeds; ++settings.seed) {
-        const Image stored = as_stored(picture(sphere_scene(), light, settings), expected.maxval);
-        correct.push_back(view_of(stored, expected.truths[0], expected.maxval).fingerprint);
-        if (progress) progress(static_cast<double>(correct.size()) / static_cast<double>(seeds));
-    }
-    return correct;
 }
 
 // A picture by one rule is one sample, whose numbers have longer tails than normal ones.
@@ -179,10 +157,9 @@ void explain_whole(const Image& picture, const Truth& truth, int maxval, const C
         const Image made = each_channel(truth.image, [&](double v) { return f(std::min(v, 1.0)); });
         consider(cause, picture, Truth{made, truth.mask});
     };
-    for (const Mirroring& mirroring : mirrorings)
-        undo(mirroring.name, [&](int x, int y) {
-            return picture(mirroring.left_right ? width - 1 - x : x, mirroring.up_down ? height - 1 - y : y);
-        });
+    undo("upside down", [&](int x, int y) { return picture(x, height - 1 - y); });
+    undo("mirrored, left for right", [&](int x, int y) { return picture(width - 1 - x, y); });
+    undo("turned by 180 degrees", [&](int x, int y) { return picture(width - 1 - x, height - 1 - y); });
     undo("red and blue exchanged", [&](int x, int y) {
         return Color{picture(x, y).z, picture(x, y).y, picture(x, y).x};
     });
@@ -294,9 +271,9 @@ std::string place_of(const View& view, const Expected& expected, const Compariso
 
 }  // namespace
 
-Expected expect(const EnvironmentLight& light, PictureSettings settings, const PictureFile& picture,
+Expected expect(const EnvironmentLight& light, PictureSettings settings, const PictureFile& file,
                 const Progress& progress) {
-    const Camera camera{picture.image.width(), picture.image.height()};
+    const Camera camera{file.image.width(), file.image.height()};
     settings.width = camera.width;
     settings.height = camera.height;
     settings.seed = first_seed;
@@ -310,10 +287,19 @@ Expected expect(const EnvironmentLight& light, PictureSettings settings, const P
         return truth.shows_object(x, y) ? truth.image(x, y) : light.environment.radiance(camera.ray(x, y).direction);
     };
     const Truth texels{image_of(camera.width, camera.height, texel), truth.mask};
-    Expected expected{settings, picture.maxval, accepted_of(settings), {truth, texels}, &light.environment, {}};
-    if (view_of(picture.image, truth, 0).light == 0)
+    Expected expected{settings, file.maxval, accepted_of(settings), {truth, texels}, &light.environment, {}};
+    if (view_of(file.image, truth, 0).light == 0)
         throw std::invalid_argument("the environment lights no object, so there is nothing to judge; take another");
-    expected.correct = correct_fingerprints(light, expected, progress);
+    if (settings.method == Method::direct) {  // a large pool has the same numbers, and is cheaper
+        const double n = static_cast<double>(settings.samples);
+        settings.method = Method::pool;
+        settings.pool = static_cast<std::size_t>(std::clamp(1e8 / (n * n * n), 50.0, 500.0));
+    }
+    for (; expected.correct.size() < seeds; ++settings.seed) {
+        const Image stored = as_stored(picture(sphere_scene(), light, settings), expected.maxval);
+        expected.correct.push_back(view_of(stored, expected.truths[0], expected.maxval).fingerprint);
+        if (progress) progress(static_cast<double>(expected.correct.size()) / static_cast<double>(seeds));
+    }
     return expected;
 }
 

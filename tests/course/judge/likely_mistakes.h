@@ -4,13 +4,6 @@
 #include "numerics/portable_math.h"
 
 namespace bmc {
-struct Mirroring {
-    const char* name;
-    bool left_right, up_down;
-};
-constexpr Mirroring mirrorings[] = {
-    {"upside down", false, true}, {"mirrored, left for right", true, false}, {"turned by 180 degrees", true, true}};
-
 struct Factor {
     const char* name;
     double factor;
