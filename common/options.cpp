@@ -37,4 +37,23 @@ void require_closed_form(const ModelSettings& settings) {
         throw UsageError(error.what());
     }
 }
+
+RenderOptions::RenderOptions(RenderSettings& s)
+    : ModelOptions(s),
+      method(choice_option("method", "", method_names, s.method)),
+      samples(count_option("samples", "N", "directions per pixel (default 40)", s.samples, 1000000)),
+      pool(useless_while([&s] { return s.method == Method::pool ? "" : "it belongs to --method pool"; },
+                         count_option("pool", "K", "Gaussian processes in the pool (default 20)", s.pool, 1000))) {
+    const auto no_process = [&s] { return s.method == Method::mc ? "--method mc makes no Gaussian process" : ""; };
+    for (Option& option : process) option = useless_while(no_process, option);
+    known = useless_while(no_process, known);
+}
+
+void require_possible(const RenderSettings& settings) {
+    const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
+    if (!one_lattice && settings.samples > max_process_samples)
+        throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
+                         std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
+    require_closed_form(settings);
+}
 }  // namespace bmc

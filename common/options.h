@@ -1,9 +1,9 @@
-// The options that both programs take: of a Gaussian process and its samples. They set the members of a settings
-// struct, which must outlive them and not move.
+// The options of a Gaussian process and its samples, which both programs take, and of how a picture is rendered. They
+// set the members of a settings struct, which must outlive them and not move.
 #pragma once
 
 #include "command_line.h"
-#include "quadrature/quadrature.h"
+#include "scene/render.h"
 
 #include <vector>
 
@@ -25,4 +25,14 @@ struct ModelOptions {
 
 // Throws UsageError for a known part with which the covariance has no closed form.
 void require_closed_form(const ModelSettings& settings);
+
+// Monte Carlo takes no option of a process.
+struct RenderOptions : ModelOptions {
+    Option method, samples, pool;
+
+    explicit RenderOptions(RenderSettings& settings);
+};
+
+// Throws UsageError for settings that no picture can be rendered by.
+void require_possible(const RenderSettings& settings);
 }  // namespace bmc

@@ -3,7 +3,6 @@
 
 #include "known_light/prefiltered_environment.h"
 #include "options.h"
-#include "scene/render.h"
 
 #include <memory>
 
@@ -13,14 +12,11 @@ struct PictureSettings : RenderSettings {
 };
 
 // With Monte Carlo, accepts only --known light of the process's options.
-struct PictureOptions : ModelOptions {
-    Option method, samples, pool, share;
+struct PictureOptions : RenderOptions {
+    Option share;
 
     explicit PictureOptions(PictureSettings& settings);
 };
-
-// Throws UsageError for settings that no picture can be rendered by.
-void require_possible(const RenderSettings& settings);
 
 // An environment, and its averages where the light is to be known. The environment must outlive it.
 struct EnvironmentLight {

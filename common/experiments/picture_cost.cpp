@@ -96,25 +96,22 @@ double seconds_of(const std::function<void()>& action) {
     return fewest;
 }
 
-std::vector<PictureSettings> main_settings() {
-    return {settings_of(Method::mc, 1, uniform),
-            settings_of(Method::direct, 1, uniform),
-            settings_of(Method::single, 1, uniform),
-            settings_of(Method::rotated, 1, uniform),
-            settings_of(Method::pool, 5, uniform),
-            settings_of(Method::pool, 20, uniform),
-            settings_of(Method::mc, 1, fibonacci),
-            settings_of(Method::pool, 20, fibonacci),
-            settings_of(Method::pool, 20, cosine_fibonacci, Known::cosine),
-            settings_of(Method::mc, 1, uniform, Known::light),
-            settings_of(Method::pool, 20, uniform, Known::light),
-            settings_of(Method::mc, 1, cosine_fibonacci, Known::light),
-            settings_of(Method::pool, 20, cosine_fibonacci, Known::light),
-            settings_of(Method::mc, 1, cosine_fibonacci, Known::light, true)};
-}
-
-std::vector<PictureSettings> all_settings() {
-    std::vector<PictureSettings> list = main_settings();
+std::vector<PictureSettings> compared_settings(bool all) {
+    std::vector<PictureSettings> list{settings_of(Method::mc, 1, uniform),
+                                      settings_of(Method::direct, 1, uniform),
+                                      settings_of(Method::single, 1, uniform),
+                                      settings_of(Method::rotated, 1, uniform),
+                                      settings_of(Method::pool, 5, uniform),
+                                      settings_of(Method::pool, 20, uniform),
+                                      settings_of(Method::mc, 1, fibonacci),
+                                      settings_of(Method::pool, 20, fibonacci),
+                                      settings_of(Method::pool, 20, cosine_fibonacci, Known::cosine),
+                                      settings_of(Method::mc, 1, uniform, Known::light),
+                                      settings_of(Method::pool, 20, uniform, Known::light),
+                                      settings_of(Method::mc, 1, cosine_fibonacci, Known::light),
+                                      settings_of(Method::pool, 20, cosine_fibonacci, Known::light),
+                                      settings_of(Method::mc, 1, cosine_fibonacci, Known::light, true)};
+    if (!all) return list;
     list.push_back(settings_of(Method::mc, 1, cosine));
     list.push_back(settings_of(Method::pool, 20, cosine, Known::cosine));
     list.push_back(settings_of(Method::mc, 1, cosine_fibonacci));

@@ -25,10 +25,9 @@ struct PictureCost {
     double seconds_per_megapixel;  // for a million pixels that show an object, on one core; zero unless timed
 };
 
-// The settings that are compared, except for the number of samples. main_settings: those of README's tables, classic
-// Monte Carlo first. all_settings: those and the others of its figure.
-std::vector<PictureSettings> main_settings();
-std::vector<PictureSettings> all_settings();
+// The settings that are compared, except for the number of samples: those of README's table, classic Monte Carlo first;
+// with all, also the others of its figure.
+std::vector<PictureSettings> compared_settings(bool all = false);
 
 // The seconds of one call: the least of four measurements, which take at least 2 ms each.
 double seconds_of(const std::function<void()>& action);

@@ -99,13 +99,11 @@ std::string stability_report() {
         }
         text += '\n';
     }
-    const auto last_row = [&](const char* name, const std::vector<int>& numbers) {
+    for (const auto& [name, numbers] : {std::pair("refused (-)", refused), {"fewest digits of the others", fewest}}) {
         text += formatted("# %-50s", name);
         for (const int number : numbers) text += formatted("%5d", number);
         text += '\n';
-    };
-    last_row("refused (-)", refused);
-    last_row("fewest digits of the others", fewest);
+    }
     return text +
            "# In the cluster the squared exponential of two directions rounds to 1. No turning shows that: of the "
            "digits at\n# 1e-6 only 3 are right.\n";

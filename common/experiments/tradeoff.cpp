@@ -123,7 +123,7 @@ std::string Tradeoff::report() const {
         text += "\n\n# What a picture costs: the sphere scene, " +
                 formatted("%d x %d pixels, ", costs.size, costs.size) + "under " + names[i] + ".\n" + meaning +
                 (costs.timed ? measured : "");
-        const auto& compared = all ? all_settings() : main_settings();
+        const std::vector<PictureSettings> compared = compared_settings(all);
         const std::vector<std::size_t> samples =
             all ? std::vector<std::size_t>{10, 20, 40, 80, 160} : std::vector<std::size_t>{10, 40};
         text += picture_table(picture_costs(*light, compared, samples, costs, share), costs.timed);

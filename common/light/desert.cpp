@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 namespace bmc {
 namespace {
@@ -167,12 +166,12 @@ EnvironmentMap load_environment(const std::string& name, unsigned threads) {
     if (name == built_in_lights[0]) return desert(1, threads);
     if (name == built_in_lights[1]) return desert(1000, threads);
     if (name == built_in_lights[2]) return black_and_white();
-    std::optional<EnvironmentMap> map;
+    EnvironmentMap map(1, 1);
     if (std::error_code none; name != "-" && !std::filesystem::exists(name, none))
         throw std::runtime_error(name + ": no file has this name, and no built-in light: they are " +
                                  built_in_lights[0] + ", " + built_in_lights[1] + ", " + built_in_lights[2]);
     read_input(name, [&](std::istream& in) { map = read_radiance_hdr(in); });
-    map->name = name;
-    return std::move(*map);
+    map.name = name;
+    return map;
 }
 }  // namespace bmc

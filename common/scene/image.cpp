@@ -36,22 +36,10 @@ private:
     std::array<unsigned char, steps + 1> first_{};
 };
 
-void append_little_endian(std::string& bytes, float value) {
-    const auto bits = portable::bit_cast<std::uint32_t>(value);
-    for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(static_cast<unsigned char>(bits >> shift));
-}
-
 }  // namespace
 
 Image::Image(int width, int height)
     : width_(width), height_(height), rgb_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-
-void Image::set(int x, int y, Color color) {
-    float* rgb = &rgb_[3 * index(x, y)];
-    rgb[0] = static_cast<float>(color.x);
-    rgb[1] = static_cast<float>(color.y);
-    rgb[2] = static_cast<float>(color.z);
-}
 
 double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : portable::pow((code + 0.055) / 1.055, 2.4); }
 
@@ -65,8 +53,10 @@ std::string to_ppm(const Image& image) {
 std::string to_pfm(const Image& image) {
     std::string bytes = formatted("PF\n%d %d\n-1.0\n", image.width(), image.height());
     for (int y = image.height(); y-- > 0;)
-        for (int i = 0; i < 3 * image.width(); ++i)
-            append_little_endian(bytes, image.rgb()[static_cast<std::size_t>(3 * y * image.width() + i)]);
+        for (int i = 3 * y * image.width(); i < 3 * (y + 1) * image.width(); ++i) {
+            const auto bits = portable::bit_cast<std::uint32_t>(image.rgb()[static_cast<std::size_t>(i)]);
+            for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
+        }
     return bytes;
 }
 }  // namespace bmc

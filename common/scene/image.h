@@ -17,7 +17,10 @@ public:
 
     // The pixel in column x of row y; row 0 is the top.
     Color operator()(int x, int y) const { return (*this)[index(x, y)]; }
-    void set(int x, int y, Color color);
+    void set(int x, int y, Color color) {
+        float* rgb = &rgb_[3 * index(x, y)];
+        for (const double channel : {color.x, color.y, color.z}) *rgb++ = static_cast<float>(channel);
+    }
 
     // The pixels row after row from the top, and all their channels.
     std::size_t size() const { return rgb_.size() / 3; }

@@ -15,13 +15,13 @@ CostSettings untimed(int size) {
 }  // namespace
 
 TEST_CASE("a light that reaches no object is refused") {
-    CHECK_THROWS_WITH_AS(picture_costs(even_map(1, 1, 0), main_settings(), {10}, untimed(2)),
+    CHECK_THROWS_WITH_AS(picture_costs(even_map(1, 1, 0), compared_settings(), {10}, untimed(2)),
                          "the environment lights no object, so there is no error to compare; take another",
                          std::invalid_argument);
 }
 
 TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds" * doctest::test_suite("long")) {
-    PictureSettings settings = small(main_settings()[2].method, 1, 129);
+    PictureSettings settings = small(compared_settings()[2].method, 1, 129);
     const Truth truth = dense_truth(prefilter(desert), settings, 10000);
     RootMeanSquare expected;
     for (settings.seed = 1; settings.seed <= 4; ++settings.seed)
@@ -31,7 +31,7 @@ TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds
 
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table tells the samples of Monte Carlo with the same error, and the efficiency relative to it") {
-    const std::vector<PictureSettings> compared = main_settings();
+    const std::vector<PictureSettings> compared = compared_settings();
     const auto rows =
         rows_of(picture_table({{compared[0], 0.2, 0, 0, 0, 0, 0, 3}, {compared[5], 0.1, 0, 0, 0, 0, 0, 6}}, true));
     REQUIRE(rows.size() == 2);
@@ -45,7 +45,7 @@ TEST_CASE("progress grows to 1, other seeds make other errors, and measured time
     CostSettings costs;
     costs.size = 4;
     double last = 0;
-    const std::vector<PictureSettings> two{main_settings()[0], main_settings()[5]};
+    const std::vector<PictureSettings> two{compared_settings()[0], compared_settings()[5]};
     const auto rows = picture_costs(white, two, {3, 5}, costs, [&](double done) {
         CHECK(done > last);
         last = done;
