@@ -46,6 +46,7 @@ double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : porta
 std::string to_ppm(const Image& image) {
     const SrgbEncoder encoder;
     std::string bytes = formatted("P6\n%d %d\n255\n", image.width(), image.height());
+    bytes.reserve(bytes.size() + image.rgb().size());
     for (const float linear : image.rgb()) bytes += encoder.byte(linear);
     return bytes;
 }
