@@ -7,7 +7,7 @@
 # make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
-# make fuzz         FUZZ_SECONDS of made-up files and command lines, by clang++'s libFuzzer
+# make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
 # make bench        how fast the hot paths are, beside LAPACK if it is installed
 # make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
@@ -81,14 +81,17 @@ sanitizers:
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) PRECOMPILED=$(SANITIZED)/standard.h all $(SANITIZED)/unit_tests $(SANITIZED)/compare
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) REQUIRE_ALL= tests/output/run product
 
+# What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.
+FUZZ = $(BUILD)/fuzz
 FUZZ_SECONDS ?= 60
-FUZZERS = fuzz_files fuzz_command_line
 fuzz:
 	@tests/require_tool libFuzzer fuzz
-	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
-	    BUILD=$(BUILD)/fuzz PRECOMPILED=$(BUILD)/fuzz/standard.h $(FUZZERS:%=$(BUILD)/fuzz/%)
-	FUZZ=$(BUILD)/fuzz FUZZ_SECONDS=$(FUZZ_SECONDS) tests/slow/fuzz
-$(FUZZERS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/slow/%.o $(JUDGE) $(COMMON)
+	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
+	    BUILD=$(FUZZ) PRECOMPILED=$(FUZZ)/standard.h $(FUZZ)/fuzz
+	mkdir -p $(FUZZ)/found
+	$(FUZZ)/fuzz $(FUZZ)/found tests/slow/corpus -seed=1 -max_len=4096 -timeout=30 -rss_limit_mb=4096 \
+	    -max_total_time=$(FUZZ_SECONDS) -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
+$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -fsanitize=fuzzer -o $@
 
 LAPACK = $(if $(wildcard /usr/lib/*/libopenblas.so),-lopenblas)

@@ -1,7 +1,12 @@
-// libFuzzer: any bytes are a picture, a map of radiances or rows of numbers, or an error of one line.
+// libFuzzer: any bytes are a picture, a map of radiances, rows of numbers or, one a line, the words of a command; or an
+// error of one line.
 #include "../course/judge/picture_file.h"
+#include "command_line.h"
+#include "experiments/error_table.h"
 #include "experiments/rule.h"
 #include "light/radiance_hdr.h"
+
+#include <getopt.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -23,6 +28,23 @@ void check(const std::string& bytes, Read read) {
     }
 }
 
+// Whether the settings that the words say are allowed.
+bool reads_options(std::istream& in) {
+    std::vector<std::string> words{"program"};
+    for (std::string word; std::getline(in, word);) words.emplace_back(word.c_str());  // as far as argv has it
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    optind = 0;  // a fresh scan
+    ErrorTables tables;
+    parse_options(static_cast<int>(words.size()), argv.data(), tables.options());
+    const ErrorSettings& settings = tables.settings;
+    for (const std::size_t n : settings.samples)
+        if (n < 1 || n > 4096) return false;
+    return !settings.samples.empty() && settings.mc_estimates >= 1 && settings.bmc_estimates >= 1 &&
+           settings.smoothness > 1 && settings.smoothness < 2 && settings.noise >= 0 && settings.noise <= 1000;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -41,5 +63,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         return !samples.directions.empty() &&
                (samples.values.empty() || samples.values.size() == samples.directions.size());
     });
+    check(text, reads_options);
     return 0;
 }
