@@ -8,7 +8,7 @@
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
 # make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
-# make bench        how fast the hot paths are, beside LAPACK if it is installed
+# make bench        how fast the hot paths are
 # make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
@@ -94,12 +94,10 @@ fuzz:
 $(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(JUDGE) $(COMMON)
 	$(call as,LINK $@) $(LINK) -fsanitize=fuzzer -o $@
 
-LAPACK = $(if $(wildcard /usr/lib/*/libopenblas.so),-lopenblas)
 bench: $(BUILD)/bench
-	OPENBLAS_NUM_THREADS=1 $(BUILD)/bench
-$(BUILD)/tests/slow/bench.o: private CPPFLAGS += $(if $(LAPACK),-DCOMPARE_LAPACK)
+	$(BUILD)/bench
 $(BUILD)/bench: $(BUILD)/tests/slow/bench.o $(COMMON)
-	$(call as,LINK $@) $(LINK) $(LAPACK) -o $@
+	$(call as,LINK $@) $(LINK) -o $@
 
 $(BUILD)/belief: $(BUILD)/tests/figures/belief.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@

@@ -13,13 +13,6 @@
 
 using namespace bmc;
 
-#ifdef COMPARE_LAPACK
-extern "C" {
-void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);
-void dpotri_(const char* triangle, const int* n, double* a, const int* stride, int* info);
-}
-#endif
-
 namespace {
 
 volatile double sink;  // what is timed ends here, so that it is not optimised away
@@ -103,24 +96,9 @@ void bench_cholesky() {
         Random random(1, n);
         const std::vector<Vec3> directions = uniform_directions(n, random);
         const Matrix q = symmetric(covariance_matrix(Sobolev(), 0.01, directions));
-        std::printf("%4zu x %zu, microseconds: factor %.2f, and the inverse %.2f", n, n,
+        std::printf("%4zu x %zu, microseconds: factor %.2f, and the inverse %.2f\n", n, n,
                     1e6 * seconds_of([&] { sink = Cholesky(q).upper()(0, 0); }),
                     1e6 * seconds_of([&] { sink = Cholesky(q).inverse()(0, 0); }));
-#ifdef COMPARE_LAPACK
-        const int order = static_cast<int>(n);
-        const auto lapack = [&](bool invert) {
-            return seconds_of([&] {
-                Matrix a = q;
-                int info = 0;
-                dpotrf_("L", &order, a.row(0), &order, &info);
-                if (invert) dpotri_("L", &order, a.row(0), &order, &info);
-                if (invert) a = symmetric(a);
-                sink = a(0, 0);
-            });
-        };
-        std::printf("; LAPACK %.2f, %.2f", 1e6 * lapack(false), 1e6 * lapack(true));
-#endif
-        std::printf("\n");
     }
 }
 
