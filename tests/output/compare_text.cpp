@@ -52,53 +52,11 @@ bool lines_agree(const std::string& reference, const std::string& actual, double
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-// A number of both outputs, in its table.
+// A number of both outputs.
 struct Cell {
-    std::size_t row, column;  // from 1; the row in the whole output
     double reference, actual;
     bool agrees;
 };
-
-// Rows under one another, with as many columns each.
-struct Table {
-    Words header;  // the words of the line above
-    std::size_t columns = 0, rows = 0;
-    std::vector<Cell> cells;
-
-    bool names_columns() const { return header.size() == columns; }
-    std::string column_name(std::size_t column) const {
-        return "column " + std::to_string(column) + (names_columns() ? " (" + header[column - 1] + ")" : "");
-    }
-    bool is_matrix() const { return rows == columns && rows > 1 && !names_columns(); }
-    std::string matrix_name() const { return header.empty() ? "the matrix" : header[0].substr(0, header[0].find(',')); }
-    bool differs() const {
-        return std::any_of(cells.begin(), cells.end(), [](const Cell& cell) { return !cell.agrees; });
-    }
-};
-
-// Of two outputs with as many lines.
-std::vector<Table> parse_tables(const Words& reference, const Words& actual, double tolerance) {
-    std::vector<Table> tables;
-    Words header;
-    std::size_t row = 0;
-    bool within = false;
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-        if (!is_row(reference[i])) {
-            within = false;
-            if (!reference[i].empty()) header = split_columns(reference[i].substr(1));
-            continue;
-        }
-        ++row;
-        const Words a = split_columns(reference[i]), b = split_columns(actual[i]);
-        if (!within || tables.back().columns != a.size()) tables.push_back({header, a.size(), 0, {}});
-        within = true;
-        ++tables.back().rows;
-        for (std::size_t j = 0; j < std::min(a.size(), b.size()); ++j)
-            tables.back().cells.push_back(
-                {row, j + 1, parse_word(a[j]).number, parse_word(b[j]).number, words_agree(a[j], b[j], tolerance)});
-    }
-    return tables;
-}
 
 // The one number that these are of their references; 0 if there is none.
 double common_ratio(const std::vector<Cell>& cells) {
@@ -113,16 +71,13 @@ double common_ratio(const std::vector<Cell>& cells) {
     return ratio;
 }
 
-std::string describe_ratio(const std::string& name, double ratio) {
-    return "all of " + name + " is " + in_words(ratio, 4) + " times the reference" + reason(ratio);
-}
-
 // What the differences in one column have in common; nothing if they have nothing.
 std::string describe_column(const std::string& name, const std::vector<Cell>& cells) {
     const auto all = [&](auto property) { return std::all_of(cells.begin(), cells.end(), property); };
     if (all([](const Cell& cell) { return cell.actual == 0; })) return "all of " + name + " is 0";
     const double ratio = common_ratio(cells);
-    if (cells.size() > 1 && ratio != 0) return describe_ratio(name, ratio);
+    if (cells.size() > 1 && ratio != 0)
+        return "all of " + name + " is " + in_words(ratio, 4) + " times the reference" + reason(ratio);
     const auto negatives = std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.actual < 0; });
     if (negatives > 0 && all([](const Cell& cell) { return cell.reference >= 0; }))
         return std::to_string(negatives) + " of the " + std::to_string(cells.size()) + " numbers in " + name +
@@ -130,38 +85,33 @@ std::string describe_column(const std::string& name, const std::vector<Cell>& ce
     return "";
 }
 
-std::string describe_columns(const Table& table) {
+// Of the table, rows under one another with as many columns each, that the row at line `at` stands in.
+std::string describe_table(const Words& reference, const Words& actual, std::size_t at, double tolerance) {
+    const std::size_t columns = split_columns(reference[at]).size();
+    const auto in_table = [&](std::size_t i) {
+        return i < reference.size() && is_row(reference[i]) && split_columns(reference[i]).size() == columns;
+    };
+    std::size_t first = at, end = at;
+    while (first > 0 && in_table(first - 1)) --first;
+    while (in_table(end)) ++end;
+    const Words header = first > 0 ? split_columns(reference[first - 1]) : Words();  // after its "#"
     std::string text, others;
-    for (std::size_t column = 1; column <= table.columns; ++column) {
+    for (std::size_t j = 0; j < columns; ++j) {
         std::vector<Cell> cells;
-        for (const Cell& cell : table.cells)
-            if (cell.column == column) cells.push_back(cell);
+        for (std::size_t i = first; i < end; ++i) {
+            const Words a = split_columns(reference[i]), b = split_columns(actual[i]);
+            if (j < b.size())
+                cells.push_back({parse_word(a[j]).number, parse_word(b[j]).number, words_agree(a[j], b[j], tolerance)});
+        }
         if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.agrees; })) continue;
-        const std::string clause = describe_column(table.column_name(column), cells);
+        const std::string name =
+            "column " + std::to_string(j + 1) + (header.size() == columns + 1 ? " (" + header[j + 1] + ")" : "");
+        const std::string clause = describe_column(name, cells);
         add(text, clause);
-        if (clause.empty()) others += (others.empty() ? "" : ", ") + table.column_name(column);
+        if (clause.empty()) others += (others.empty() ? "" : ", ") + name;
     }
     if (!others.empty()) add(text, "differences in " + others);
     return text;
-}
-
-// In a square table, such as a matrix, the place that holds all differences.
-std::string describe_matrix(const Table& table) {
-    const std::string name = table.matrix_name();
-    if (const double ratio = common_ratio(table.cells); ratio != 0) return describe_ratio(name, ratio);
-    std::vector<Cell> differing;
-    for (const Cell& cell : table.cells)
-        if (!cell.agrees) differing.push_back(cell);
-    const auto row_of = [&](const Cell& cell) { return cell.row - table.cells[0].row + 1; };
-    const auto count = [&](auto property) { return std::count_if(differing.begin(), differing.end(), property); };
-    const auto all = static_cast<std::ptrdiff_t>(differing.size());
-    const auto on_diagonal = count([&](const Cell& cell) { return row_of(cell) == cell.column; });
-    if (on_diagonal == all) return "only the diagonal of " + name + " differs";
-    if (on_diagonal == 0 && differing.size() + table.rows == table.cells.size())
-        return "all of " + name + " but the diagonal differs";
-    if (count([&](const Cell& cell) { return cell.row == differing[0].row; }) == all)
-        return "only row " + std::to_string(row_of(differing[0])) + " of " + name + " differs";
-    return count_of(differing.size(), table.cells.size(), ("numbers of " + name).c_str());
 }
 
 // Where the first difference is: line `at` of both outputs.
@@ -197,11 +147,7 @@ std::string text_difference(const std::string& reference, const std::string& act
     if (expected.size() != found.size())
         return bmc::formatted("%s; the reference has %zu lines, here are %zu", text.c_str(), expected.size(),
                               found.size());
-    for (const Table& table : parse_tables(expected, found, tolerance))
-        if (table.differs()) {
-            add(text, table.is_matrix() ? describe_matrix(table) : describe_columns(table));
-            break;
-        }
+    if (is_row(expected[first])) add(text, describe_table(expected, found, first, tolerance));
     add(text, count_of(differing, lines, "lines"));
     return text;
 }
