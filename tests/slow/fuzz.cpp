@@ -1,5 +1,5 @@
-// libFuzzer: any bytes are a picture, a map of radiances, rows of numbers or, one a line, the words of a command; or an
-// error of one line.
+// libFuzzer: any bytes are a picture, a map of radiances, rows of numbers or the options of a command, or an error of one
+// line.
 #include "../course/judge/picture_file.h"
 #include "command_line.h"
 #include "experiments/error_table.h"
@@ -31,7 +31,7 @@ void check(const std::string& bytes, Read read) {
 // Whether the settings that the words say are allowed.
 bool reads_options(std::istream& in) {
     std::vector<std::string> words{"program"};
-    for (std::string word; std::getline(in, word);) words.emplace_back(word.c_str());  // as far as argv has it
+    for (std::string word; in >> word;) words.emplace_back(word.c_str());  // as far as argv has it
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);

@@ -54,3 +54,9 @@ TEST_CASE("a choice is one of the names of a table, and the help lists them") {
     CHECK(std::string(name_of(3, table)) == "c");
     CHECK(choices(table, 1) == "a (default), b or c");
 }
+
+TEST_CASE("the length-scale among a model's options is that of its covariance") {
+    ModelSettings settings;
+    parse({"--covariance", "squared-exponential", "--length-scale", "0.5"}, ModelOptions(settings).process);
+    CHECK((*settings.make_covariance())(0.75) == SquaredExponential(0.5)(0.75));
+}
