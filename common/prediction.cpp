@@ -1,6 +1,7 @@
 #include "prediction.h"
 
 #include "numerics/formatted.h"
+#include "scene/sun.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "experiments/picture_error.h"
 
-#include "known_light/known_light.h"
+#include "scene/sun.h"
 
 #include <cmath>
 

@@ -18,11 +18,6 @@ RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironmen
     return settings;
 }
 
-Color Quotient::fraction() const {
-    const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
-    return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};
-}
-
 Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const CosineRule& rule,
                   const Frame& frame) {
     if (!plain_loops) return visible_sky_fast(scene, means, hit, rule, frame);
@@ -32,18 +27,6 @@ Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hi
         sky.add(rule.weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
     }
     return sky.fraction();
-}
-
-Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t rays, Random& random) {
-    Quotient light;
-    for (std::size_t j = 0; j < rays; ++j) {
-        const double u = (static_cast<double>(j) + random.uniform()) / static_cast<double>(rays);
-        const double v = random.uniform();
-        const Sun::Ray ray = sun.ray(u, v);
-        const double cosine = dot(hit.normal, ray.direction);
-        if (cosine > 0) light.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
-    }
-    return light;
 }
 
 Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings) {

@@ -7,9 +7,7 @@
 // Means over the solid angles of samples come from Krivanek & Colbert, "Real-time shading with filtered importance
 // sampling", Computer Graphics Forum 27(4), 2008.
 //
-// The sun (sun.h) is a light of its own, with the same quotient. Its rays j = 0 .. m - 1 go to the places after the
-// fractions (j + u_j) / m of its light, v_j down in a texel, where u_j and v_j are random numbers of the pixel, drawn
-// in this order; w_j is cos(theta_j), 0 below the horizon. If the sun sends the share s of the light, it gets s / 2 of
+// The sun (sun.h) is a light of its own, with the same quotient. If it sends the share s of the light, it gets s / 2 of
 // a pixel's samples: the edge of its shadow needs few. The rule for the sky gets the others. Each gets at least one.
 #pragma once
 
@@ -23,26 +21,10 @@ std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples
 // The settings of the rule for the sky: without the sun's samples.
 RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light, double part = 0.5);
 
-// The sums of a quotient: of all light, and of what arrives.
-struct Quotient {
-    Color all, visible;
-
-    void add(Color light, bool arrives) {
-        all += light;
-        if (arrives) visible += light;
-    }
-
-    Color fraction() const;  // in [0, 1]; 1 for a colour that no ray carries
-};
-
 // The fraction of each colour of the sky's light that passes the other object.
 Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const CosineRule& rule,
                   const Frame& frame);
 
-// The sums over so many rays to the sun; one of an empty sun has none.
-Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t rays, Random& random);
-
-// The L_o, linear RGB, of a picture's points. Scene and light must outlive it. Throws what the Gaussian processes
-// throw.
+// The L_o, linear RGB, of a picture's points. Scene and light must outlive it. Throws what Gaussian processes throw.
 Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const RenderSettings& settings);
 }  // namespace bmc

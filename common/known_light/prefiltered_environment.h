@@ -4,7 +4,7 @@
 #pragma once
 
 #include "known_light/irradiance_map.h"
-#include "known_light/sun.h"
+#include "scene/sun.h"
 
 #include <optional>
 

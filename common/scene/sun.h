@@ -4,6 +4,8 @@
 #pragma once
 
 #include "light/environment.h"
+#include "numerics/random.h"
+#include "scene/scene.h"
 
 #include <cstdint>
 #include <vector>
@@ -49,4 +51,20 @@ private:
     std::vector<Texel> texels_;
     std::vector<Ray> rays_;  // with their share of the light
 };
+
+// Sums over rays: of all light, and of what arrives.
+struct Quotient {
+    Color all, visible;
+
+    void add(Color light, bool arrives) {
+        all += light;
+        if (arrives) visible += light;
+    }
+
+    Color fraction() const;  // in [0, 1]; 1 for a colour that no ray carries
+};
+
+// The sums over m rays to the sun, none if it is empty. Ray j goes to the place after the fraction (j + u_j) / m of its
+// light, v_j down in a texel, by random numbers u_j and then v_j; its weight is cos(theta_j), 0 below the horizon.
+Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random);
 }  // namespace bmc

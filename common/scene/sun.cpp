@@ -1,8 +1,8 @@
-#include "known_light/sun.h"
-
-#include <algorithm>
+#include "scene/sun.h"
 
 #include "light/texels_on_sphere.h"
+
+#include <algorithm>
 
 namespace bmc {
 namespace {
@@ -72,5 +72,22 @@ EnvironmentMap Sun::sky() const {
     EnvironmentMap sky = map_;
     for (const Texel& texel : texels_) sky.set(texel.column, texel.row, {});
     return sky;
+}
+
+Color Quotient::fraction() const {
+    const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
+    return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};
+}
+
+Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random) {
+    Quotient light;
+    for (std::size_t j = 0; j < m; ++j) {
+        const double u = (static_cast<double>(j) + random.uniform()) / static_cast<double>(m);
+        const double v = random.uniform();
+        const Sun::Ray ray = sun.ray(u, v);
+        const double cosine = dot(hit.normal, ray.direction);
+        if (cosine > 0) light.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
+    }
+    return light;
 }
 }  // namespace bmc
