@@ -77,7 +77,7 @@ portability: all $(BUILD)/compare
 # Needs more memory than some checks leave, which are then skipped.
 SANITIZED = $(BUILD)/sanitizers
 sanitizers:
-	$(MAKE) CXX=clang++ CPPFLAGS=-Werror CXXFLAGS="-O2 -g -fno-sanitize-recover=all -fsanitize=address,undefined" \
+	$(MAKE) CXX=clang++ CPPFLAGS=-Werror CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined" \
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) PRECOMPILED=$(SANITIZED)/standard.h all $(SANITIZED)/unit_tests $(SANITIZED)/compare
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) REQUIRE_ALL= tests/output/run product
 
