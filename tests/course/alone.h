@@ -20,13 +20,14 @@
 #include <utility>
 #include <vector>
 
-inline const char* cause_mark = "cause";
+inline const char *cause_mark = "cause", *function = "";  // the student's that is tried
+inline std::string unexplained;                           // a line about what is wrong first without a known cause
 
 __attribute__((format(printf, 2, 3))) inline void explain_if(bool so, const char* format, ...) {
     if (!so) return;
     va_list values;
     va_start(values, format);
-    std::fprintf(stderr, "%s: ", cause_mark);
+    std::fprintf(stderr, "%s: %s: ", cause_mark, function);
     std::vfprintf(stderr, format, values);
     va_end(values);
     std::fputc('\n', stderr);
@@ -43,22 +44,38 @@ struct Mistake {
 };
 using Mistakes = std::vector<Mistake>;
 
-// What is right, for which there are no words; mistakes; and those of any number, with n things or a cosine in it.
-inline Mistakes mistakes(double right, Mistakes own, double n = NAN, double cosine = NAN) {
-    const double pi = std::acos(-1), sine = std::sqrt(1 - cosine * cosine);
+// What a number may depend on, of which a mistake may have any power as a factor.
+struct Quantity {
+    std::string name;
+    double value;
+};
+using Quantities = std::vector<Quantity>;
+
+inline Quantities count(double n) { return {{"n", n}, {"(n - 1)", n - 1}, {"(n + 1)", n + 1}}; }
+
+inline Quantities angle(double cosine, Quantities others = {}) {
+    const Quantities own{{"cos(theta)", cosine},
+                         {"the sine", std::sqrt(std::max(0.0, 1 - cosine * cosine))},
+                         {"(1 - cos(theta))", 1 - cosine},
+                         {"theta", std::acos(std::min(1.0, cosine))}};
+    others.insert(others.end(), own.begin(), own.end());
+    return others;
+}
+
+// What is known of a case: mistakes, of which the first is none, and where it stands in a list of so many.
+struct Case {
+    Mistakes mistakes;
+    Quantities quantities;
+    std::size_t place = 1, of = 0;
+
+    double right() const { return mistakes[0].values[0]; }
+};
+
+// What is right, for which there are no words; mistakes; and those of any number.
+inline Case mistakes(double right, Mistakes own, Quantities quantities = {}, std::size_t place = 1,
+                     std::size_t of = 0) {
     own.insert(own.begin(), {{right}, ""});
-    const auto factor = [&](double value, const std::string& name) {
-        own.push_back({{right * value}, " is multiplied by " + name + ", or not divided by it"});
-        own.push_back({{right / value}, " is divided by " + name + ", or not multiplied by it"});
-    };
-    factor(cosine, "cos(theta)"), factor(sine, "the sine"), factor(1 - cosine, "1 - cos(theta)"), factor(n, "n"),
-        factor(n * n, "n twice");
-    factor(2 * pi / n, "2 pi / n"), factor(std::sqrt(n), "the root of n"), factor(2, "2"), factor(4, "4");
-    factor(pi, "pi"), factor(2 * pi, "2 pi"), factor(4 * pi, "4 pi"), factor(pi * pi, "pi twice"),
-        factor(4 * pi * pi, "2 pi twice");
-    own.insert(own.end(), {{{right * n / (n - 1)}, " is divided by n - 1, not n"},
-                           {{right * n / (n + 1)}, " is divided by n + 1, not n"},
-                           {{0}, " is 0: is it set?"},
+    own.insert(own.end(), {{{0}, " is 0: is it set?"},
                            {{1}, " is 1"},
                            {{-right}, " has the other sign"},
                            {{std::fabs(right)}, " has lost its sign where it is below 0"},
@@ -67,49 +84,143 @@ inline Mistakes mistakes(double right, Mistakes own, double n = NAN, double cosi
                            {{std::sqrt(right)}, " is a root of what it should be"},
                            {{1 / right}, " is 1 over what it should be"},
                            {{std::trunc(right)}, " is a whole number: an int?"}});
-    return own;
+    return {own, std::move(quantities), place, of};
 }
 
 // The same of a sum of so many terms.
-inline Mistakes mistakes(const std::vector<double>& terms, Mistakes own, double scale = 1) {
-    double sum = 0, even = 0, product = 1, whole = 0, size = 0, above = 0, squares = 0;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-        const double term = terms[i];
-        sum += term, product *= term, size += std::fabs(term), above += std::max(0.0, term), squares += term * term;
-        even += i % 2 == 0 ? term : 0, whole = std::trunc(whole + term);
+inline Case mistakes(const std::vector<double>& terms, Mistakes own, Quantities quantities = {}, double scale = 1) {
+    double sum = 0, whole = 0, size = 0, above = 0, squares = 0;
+    for (const double term : terms) {
+        sum += term, size += std::fabs(term), above += std::max(0.0, term), squares += term * term;
+        whole = std::trunc(whole + term);
     }
-    const double first = terms[0], last = terms.back(), largest = *std::max_element(terms.begin(), terms.end());
+    const double first = terms[0], last = terms.back();
     const Mistake sums[] = {
         {{first, last}, " has its first or last term alone: return in the loop, or = in place of +=?"},
         {{sum - first, sum - last}, " lacks its first or its last term"},
-        {{even, sum - even}, " has only every other term"},
+        {{sum + first, sum + last}, " has its first or its last term twice"},
         {{whole}, " is a sum of whole numbers: an int?"},
         {{above}, " lacks its terms below 0"},
         {{size}, " has terms that lost their sign"},
-        {{largest, product}, " is the largest term, or the product of all"},
         {{squares, std::sqrt(squares)}, " has squares in place of terms"}};
     for (Mistake each : sums) {
         for (double& value : each.values) value *= scale;
         own.push_back(each);
     }
-    return mistakes(scale * sum, own, static_cast<double>(terms.size()));
+    return mistakes(scale * sum, own, std::move(quantities));
 }
 
-// Whether each case i was given what is right, the first of mistakes_of(i). If not, tells the mistake by which each is
-// explained, with what this is about where the words begin with a space or a colon.
-template <class MistakesOf>
-bool explain(const std::string& about, const std::vector<double>& given, MistakesOf mistakes_of) {
-    std::vector<Mistakes> all;
-    while (all.size() < given.size()) all.push_back(mistakes_of(all.size()));
-    for (std::size_t m = 0; m < all.at(0).size(); ++m)
-        for (std::size_t way = 0, i; way < all[0][m].values.size(); ++way) {
-            for (i = 0; i < given.size() && near(given[i], all[i][m].values[way]);) ++i;
-            if (i < given.size()) continue;
-            const std::string& words = all[0][m].words;
-            explain_if(m > 0, "%s%s", words.find_first_of(" :") == 0 ? about.c_str() : "", words.c_str());
-            return m == 0;
+// As words, if numbers are others times so many quantities of their cases, or 1 over these, times one constant.
+inline std::string law(const std::vector<double>& numbers, const std::vector<double>& others,
+                       const std::vector<const Case*>& cases, int degree, std::string above = "",
+                       std::string below = "") {
+    for (std::size_t q = 0; degree > 0 && q < cases[0]->quantities.size(); ++q)
+        for (const bool over : {false, true}) {
+            std::vector<double> products = others;
+            for (std::size_t i = 0; i < products.size(); ++i)
+                products[i] *= std::pow(cases[i]->quantities[q].value, over ? -1 : 1);
+            const std::string name = ' ' + cases[0]->quantities[q].name, &all = over ? below : above;
+            const bool again = all.size() >= name.size() && all.rfind(name) == all.size() - name.size();
+            const std::string more = all + (again ? "^2" : name);
+            const std::string words =
+                law(numbers, products, cases, degree - 1, over ? above : more, over ? more : below);
+            if (!words.empty()) return words;
         }
-    return false;
+    if (degree > 0) return "";
+    double constant = 0;
+    for (std::size_t i = 0; i < numbers.size() && constant == 0; ++i)
+        if (std::isfinite(numbers[i] / others[i])) constant = numbers[i] / others[i];
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (constant == 0 || !near(numbers[i], constant * others[i])) return "";
+    char number[40];
+    std::snprintf(number, sizeof number, " %.4g", std::fabs(constant));
+    for (const double power : {2, -2, 1, -1, 0}) {  // of pi, times a whole number, or 1 over one
+        const double rest = std::fabs(constant) / std::pow(std::acos(-1), power),
+                     whole = std::round(std::max(rest, 1 / rest));
+        if (!(whole < 100 && std::fabs(whole / std::max(rest, 1 / rest) - 1) < 1e-5)) continue;
+        const std::string of_pi = power == 0 ? "" : std::fabs(power) == 1 ? " pi" : " pi^2";
+        const std::string digits = whole > 1 ? ' ' + std::to_string(static_cast<int>(whole)) : "";
+        below = (rest < 1 ? digits : "") + (power < 0 ? of_pi : "") + below;
+        std::strcpy(number, ((rest < 1 ? "" : digits) + (power > 0 ? of_pi : "")).c_str());
+        break;
+    }
+    above = number + above;
+    if (below.find(' ', 1) != std::string::npos && below[1] != '(') below = " (" + below.substr(1) + ')';
+    return (constant < 0 ? " -" : " ") + (above.empty() ? "1" : above.substr(1)) + (below.empty() ? "" : " /" + below);
+}
+
+// By what all these numbers are explained, or nothing.
+inline std::string explanation(const std::vector<double>& given, const std::vector<const Case*>& cases) {
+    for (std::size_t m = 1; m < cases[0]->mistakes.size(); ++m)
+        for (std::size_t way = 0, i; way < cases[0]->mistakes[m].values.size(); ++way) {
+            for (i = 0; i < given.size() && near(given[i], cases[i]->mistakes[m].values[way]);) ++i;
+            if (i == given.size()) return cases[0]->mistakes[m].words;
+        }
+    std::vector<double> right, more;
+    const std::vector<double> ones(given.size(), 1);
+    bool varies = false;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        right.push_back(cases[i]->right()), more.push_back(given[i] - right[i]);
+        varies = varies || !near(right[i], right[0]);
+    }
+    for (int degree = 0; degree < 4 && given.size() > 2; ++degree) {
+        const std::string only = varies ? law(given, ones, cases, degree) : "";
+        if (!only.empty()) return (degree == 0 ? " is always" : " is") + only;
+        const std::string times = law(given, right, cases, degree);
+        if (!times.empty()) return " is" + times + " times what it should be";
+        const std::string plus = law(more, ones, cases, degree);
+        if (!plus.empty()) return " is what it should be, plus" + plus;
+    }
+    return "";
+}
+
+// Numbers that were given, and what is known of each.
+struct Trial {
+    std::vector<double> given;
+    std::vector<Case> cases;
+
+    void add(double number, Case its) { given.push_back(number), cases.push_back(std::move(its)); }
+
+    // Whether all are right. If not, tells the mistake by which each is explained, or each that is wrong, with what
+    // this is about where the words begin with a space or a colon.
+    bool passes(const std::string& about) const {
+        std::vector<const Case*> all, wrong;
+        std::vector<double> wrongly;
+        bool first = true, last = true;
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            all.push_back(&cases[i]);
+            if (near(given[i], cases[i].right())) continue;
+            wrong.push_back(&cases[i]), wrongly.push_back(given[i]);
+            first = first && cases[i].place == 0, last = last && cases[i].place + 1 == cases[i].of;
+        }
+        if (wrong.empty()) return true;
+        std::string words = explanation(given, all), where;
+        if (words.empty() && wrong.size() < all.size()) {
+            words = explanation(wrongly, wrong);
+            where = first  ? "in the first place alone "
+                    : last ? "in the last place alone "
+                           : "in " + std::to_string(wrong.size()) + " of " + std::to_string(all.size()) + " cases ";
+            if (words.find_first_of(" :") != 0) words = first || last ? " is wrong" : "";  // others tell of all
+        }
+        if (words.empty() && unexplained.empty())
+            unexplained = std::string(cause_mark) + ": " + function + ": " + about + " is wrong\n";
+        explain_if(!words.empty(), "%s%s%s", where.c_str(), words.find_first_of(" :") == 0 ? about.c_str() : "",
+                   words.c_str());
+        return false;
+    }
+};
+
+// The argument, between these, of which a function, increasing, gives a value.
+template <class Of>
+double argument(Of of, double value, double least, double largest) {
+    for (const double end : {least, largest})
+        if (std::fabs(of(end) - value) < 1e-12) return end;
+    if (!(of(least) < value && value < of(largest))) return NAN;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (least + largest) / 2;
+        (of(middle) < value ? least : largest) = middle;
+    }
+    return least;
 }
 
 struct Task {
@@ -135,9 +246,10 @@ inline int call(int argc, char** argv, std::initializer_list<Task> tasks) {
         alarm(30);  // the limit of a processor's time ends no program that sleeps
     try {
         for (const Task& task : tasks)
-            if (argc >= 2 && std::strcmp(argv[1], task.name) == 0) return task.print(), 0;
+            if (argc >= 2 && std::strcmp(argv[1], task.name) == 0)
+                return task.print(), std::fputs(unexplained.c_str(), stderr), 0;
     } catch (const std::exception& error) {
-        explain_if(true, "%s", error.what());
+        std::fprintf(stderr, "%s: %s\n", cause_mark, error.what());
         return 1;
     }
     std::fprintf(stderr, "usage: %s TASK [MARK]\n", argv[0]);

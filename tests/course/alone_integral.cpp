@@ -13,122 +13,115 @@ namespace {
 
 double first_z = 1.5;
 constexpr double z1 = 3.25, last_z = 2.5;  // the second z, and those after it
+std::vector<double> other_z;               // in place of these, if there are some
 
-// What an estimate and a variance are made of: values, the student's own weights, z and the cosines.
-struct Sum {
-    std::vector<double> y, w, z, cosines;
-};
+std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> products;
+    for (std::size_t i = 0; i < a.size(); ++i) products.push_back(a[i] * b[i]);
+    return products;
+}
+double sum_of(const std::vector<double>& all) { return std::accumulate(all.begin(), all.end(), 0.0); }
 
-std::vector<Sum> sums;
-std::vector<double> weights, estimates, variances;  // of a sum the first, the second and the last weight
+Trial weights, subtracted, variances, factors, estimates;
+bool linear = true;  // the estimate is, in the values
 
-void print(const char* name, double z, const std::vector<double>& y) {
-    first_z = z;
+void print(const char* name, double z0, const std::vector<double>& y) {
+    first_z = z0;
     std::vector<Vec3> directions;
-    Sum sum{y, {}, {}, {}};
-    const double n = static_cast<double>(y.size());
+    std::vector<double> cosines;
+    const std::size_t size = y.size();
+    const double n = static_cast<double>(size), two_pi = 2 * portable::pi, zz = Sobolev().integral_of_z();
     for (double i = 1; i <= n; ++i) {
-        sum.cosines.push_back(i / std::sqrt(i * i + 9));
-        directions.push_back(rotate_around_y({3 / std::sqrt(i * i + 9), sum.cosines.back(), 0}, i / 7));
+        cosines.push_back(i / std::sqrt(i * i + 9));
+        directions.push_back(rotate_around_y({3 / std::sqrt(i * i + 9), cosines.back(), 0}, i / 7));
     }
     const GaussianProcess process(Sobolev(), 0.01, directions);
-    sum.w = process.weights(), sum.z = process.z();
-    if (sum.w.size() != y.size()) throw std::runtime_error("there should be a weight for each direction");
-    weights.insert(weights.end(), {sum.w[0], sum.w[1], sum.w.back()});
-    estimates.push_back(process.integral(y)), variances.push_back(process.variance());
-    std::printf("%-20s %.9g %.9g %.9g %.9g %.9g\n", name, sum.w[0], sum.w[1], sum.w.back(), variances.back(),
-                estimates.back());
-    sums.push_back(sum);
+    const std::vector<double>&w = process.weights(), &z = process.z();
+    if (w.size() != size) throw std::runtime_error("there should be a weight for each direction");
+    const double all[] = {z0 - z1, 2 * z1 - z0, last_z / 4}, zs[] = {z0, z1, last_z}, rows[] = {0, 1, 0.25};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double share = all[i] / (z1 + (n - 2) * last_z / 4);
+        weights.add(i < 2 ? w[i] : w.back(),
+                    mistakes(all[i],
+                             {{{rows[i]}, "the weights are sums of rows of Q^-1: z is missing"},
+                              {{share, two_pi * share}, "the weights are made to add up to 1 or 2 pi; they are Q^-1 z"},
+                              {{two_pi / n}, "the weights are Monte Carlo's: Q and z do not count"}},
+                             {{"n", n}, {"z_i", zs[i]}}, i, 3));
+    }
+    const double variance = process.variance(), zw = sum_of(products(z, w)), estimate = process.integral(y);
+    const auto above = [](double v) { return std::max(0.0, v); };
+    if (variance > 0) subtracted.add(zz - variance, mistakes(products(z, w), {}, count(n)));
+    variances.add(
+        variance,
+        mistakes(above(zz - zw),
+                 {{{zz - zw}, " is below 0: rounding can make it so, and then it is 0"},
+                  {{zz}, " is zz alone"},
+                  {{std::fabs(zz - zw)}, " loses its sign where it is below 0; it should be 0 there"},
+                  {{above(zw - zz)}, " has the other sign"},
+                  {{std::min(0.0, zz - zw)}, " is cut off where it is above 0: min in place of max"},
+                  {{0}, " is 0 everywhere: is zz missing?"},
+                  {{above(zz - sum_of(products(z, z)))}, "the weights are missing in the variance: z counts twice"},
+                  {{above(zz - sum_of(products(w, w)))}, "z is missing in the variance"},
+                  {{above(zw)}, "zz is missing in the variance"}},
+                 {{"zz", zz}}));
+    estimates.add(estimate, mistakes(products(w, y), {}));
+    double by_factors = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        std::vector<double> one(size);
+        one[i] = 1;
+        const double factor = process.integral(one);
+        by_factors += factor * y[i];
+        factors.add(
+            factor,
+            mistakes(w[i],
+                     {{{i + 1 < size ? w[i + 1] : 0, w[(i + 1) % size]}, " is the next sample's weight"},
+                      {{i > 0 ? w[i - 1] : 0, w[(i + size - 1) % size]}, " is the weight of the sample before"},
+                      {{w[size - 1 - i]}, " is a weight counted from the end"},
+                      {{w[0], w.back()}, " is the first or the last weight, whichever the sample"},
+                      {{1, 1 / n, two_pi / n}, " is the same for all: the estimate does not use the weights"}},
+                     angle(cosines[i], {{"n", n}, {"z_i", z[i]}, {"w_i", w[i]}, {"the sum of the weights", sum_of(w)}}),
+                     i, size));
+    }
+    linear = linear && near(estimate, by_factors);
+    std::printf("%-20s %.9g %.9g %.9g %.9g %.9g\n", name, w[0], w[1], w.back(), variance, estimate);
 }
 
-void explain_all() {
-    explain("a weight", weights, [](std::size_t i) {
-        const std::size_t place = i % 3;
-        const double z0 = sums[i / 3].z[0], n = static_cast<double>(sums[i / 3].y.size());
-        // By these first two rows in place of those of Q^-1, and this last element of the diagonal.
-        const auto by = [&](double a, double b, double c, double d, double last) {
-            return place == 0 ? a * z0 + b * z1 : place == 1 ? c * z0 + d * z1 : last_z * last;
-        };
-        const double right = by(1, -1, -1, 2, 0.25), share = right / (z1 + (n - 2) * last_z / 4), root = std::sqrt(0.5);
-        return mistakes(
-            right,
-            {{{by(1, 0, 0, 1, 1)}, "the weights are z: Q^-1 is missing"},
-             {{by(2, 1, 1, 1, 4)}, "the weights are Q z, not Q^-1 z"},
-             {{by(root, 0, -root, 2 * root, 0.5)},
-              "the weights are those of solve_lower, half of the way; solve goes it all"},
-             {{by(2 * root, root, 0, root, 2), by(2 * root, 0, root, root, 2)},
-              "the weights are U z or U^T z, not Q^-1 z"},
-             {{by(0, -1, 0, 2, 0.25), by(1, -1, -1, 2, 0)}, "the sum over j lacks its first or its last term"},
-             {{right * (place == 0   ? z0
-                        : place == 1 ? z1
-                                     : last_z)},
-              " is multiplied by z once more"},
-             {{by(0, 0, -1, 0, 0), by(1, 0, -1, 2, 0.25), by(1, -1, 0, 2, 0.25), by(1, 0, 0, 2, 0.25)},
-              "of Q^-1 only a triangle or the diagonal counts"},
-             {{by(0, 0, 0, 0, 0.25)}, "the sums over j keep their last terms alone: = in place of +="},
-             {{by(0, 0, 0, 1, 0.25)}, "z_i stands where z_j should"},
-             {{place == 2   ? 0.25
-               : place == 1 ? 1.0
-                            : 0.0},
-              "the weights are sums of rows of Q^-1: z is missing"},
-             {{by(2, -3, -3, 5, 0.0625)}, "Q^-1 is applied twice"},
-             {{by(root, 0, 0, 2 * root, 0.5), by(0.5, 0, 0, 1, 0.25)}, "z is divided by the diagonal of U or Q alone"},
-             {{share, 2 * portable::pi * share}, "the weights are made to add up to 1 or 2 pi; they are Q^-1 z"},
-             {{2 * portable::pi / n}, "the weights are Monte Carlo's: Q and z do not count"}},
-            n);
-    });
-    const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
-        return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-    };
-    explain("the variance", variances, [&](std::size_t i) {
-        const Sum& s = sums[i];
-        const double zz = Sobolev().integral_of_z(), zw = product(s.z, s.w),
-                     w = product(std::vector<double>(s.w.size(), 1), s.w);
-        const auto above = [](double v) { return std::max(0.0, v); };
-        return mistakes(above(zz - zw),
-                        {{{zz - zw}, " is below 0: rounding can make it so, and then it is 0"},
-                         {{zz}, " is zz alone"},
-                         {{std::fabs(zz - zw)}, " loses its sign where it is below 0; it should be 0 there"},
-                         {{above(zw - zz)}, " has the other sign"},
-                         {{std::min(0.0, zz - zw)}, " is cut off where it is above 0: min in place of max"},
-                         {{0}, " is 0 everywhere: is zz missing?"},
-                         {{above(1 - zw / zz)}, " is divided by zz"},
-                         {{above(zz - product(s.z, s.z))}, "the weights are missing in the variance: z counts twice"},
-                         {{above(zz - product(s.w, s.w)), above(zz - w), zz - w}, "z is missing in the variance"},
-                         {{above(zz - s.z[0] * s.w[0])}, "in the variance only the first term of z^T w counts"},
-                         {{above(zz - zw / static_cast<double>(s.w.size())), above(zz - 2 * zw),
-                           above(zz - zw / (2 * portable::pi)), above(zz - 2 * portable::pi * zw)},
-                          "in the variance z^T w has a factor: n, 2 or 2 pi"},
-                         {{above(zw)}, "zz is missing in the variance"},
-                         {{above(zz + zw)}, "z w is added to zz in the variance"}});
-    });
-    explain("the estimate", estimates, [&](std::size_t number) {
-        const Sum& s = sums[number];
-        const double n = static_cast<double>(s.y.size()), right = product(s.w, s.y);
-        double w = 0, y = 0, wyc = 0, wwy = 0, wyy = 0;
-        std::vector<double> terms;
-        for (std::size_t i = 0; i < s.y.size(); ++i) {
-            terms.push_back(s.w[i] * s.y[i]);
-            w += s.w[i], y += s.y[i], wyc += terms[i] * s.cosines[i], wwy += s.w[i] * terms[i],
-                wyy += terms[i] * s.y[i];
+// What each z_j counts in each w_i, of three directions.
+void explain_weights() {
+    constexpr double root = 0.70710678118654752;
+    using Square = double[3][3];
+    const Square q{{2, 1, 0}, {1, 1, 0}, {0, 0, 4}}, u{{2 * root, root, 0}, {0, root, 0}, {0, 0, 2}},
+        inverse{{1, -1, 0}, {-1, 2, 0}, {0, 0, 0.25}}, lower{{root, 0, 0}, {-root, 2 * root, 0}, {0, 0, 0.5}},
+        twice{{2, -3, 0}, {-3, 5, 0}, {0, 0, 0.0625}}, added{{1, -1, 0}, {0, 1, 0}, {0, 1, 0.25}};
+    Trial counts;
+    std::vector<double> all(3);
+    for (std::size_t j = 0; j < 3; ++j) {
+        other_z = {0, 0, 0}, other_z[j] = 1;
+        const GaussianProcess process(Sobolev(), 0.01, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double its = process.weights()[i], one = i == j ? 1 : 0, rows[] = {0, 1, 0.25};
+            all[i] += its * (j == 0 ? 1.5 : j == 1 ? z1 : last_z);
+            counts.add(
+                its,
+                mistakes(inverse[i][j],
+                         {{{one}, "the weights are z: Q^-1 is missing"},
+                          {{q[i][j]}, "the weights are Q z, not Q^-1 z"},
+                          {{lower[i][j], lower[j][i]},
+                           "the weights are those of solve_lower, half of the way; solve goes it all"},
+                          {{u[i][j], u[j][i]}, "the weights are U z or U^T z, not Q^-1 z"},
+                          {{one * inverse[i][i]}, "of Q^-1 only the diagonal counts"},
+                          {{i <= j ? inverse[i][j] : 0, i >= j ? inverse[i][j] : 0}, "of Q^-1 only a triangle counts"},
+                          {{added[i][j]}, "the sum over j is not set to 0 for each i"},
+                          {{one * rows[i]}, "z_i stands where z_j should"},
+                          {{one * inverse[i][0], one * inverse[i][2]},
+                           "w_i is one element of Q^-1 times z_i: the sum over j is missing"},
+                          {{twice[i][j]}, "Q^-1 is applied twice"}},
+                         {}, j, 3));
         }
-        return mistakes(terms, {
-
-                                   {{right / w}, " is divided by the sum of the weights"},
-
-                                   {{wyc}, "the values are multiplied by cos(theta)"},
-                                   {{w * y}, " is the product of two sums; it should be a sum of products"},
-                                   {{wwy}, "the weights are squared"},
-                                   {{w + y}, "weights and values are added, not multiplied"},
-                                   {{w * s.y[0]}, "the first value serves for every sample"},
-
-                                   {{product(s.z, s.y)}, "the values are weighted by z"},
-                                   {{wyy}, "the values are squared"},
-
-                                   {{w}, " is the sum of the weights: the values are missing"},
-                                   {{y, y / n, 2 * portable::pi / n * y},
-                                    " is the mean or the sum of the values: it does not use the weights"}});
-    });
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!near(all[i], weights.given[i])) return;  // not linear in z
+    counts.passes("what z_j counts in w_i");
 }
 
 void integral() {
@@ -138,7 +131,15 @@ void integral() {
     print("other_z", 4.4, {1, 1.2, 0.3});
     print("sixty_samples", 1.5, std::vector<double>(60, 0.1));
     print("variance_not_below_0", -8, {1, 0.5, 1});
-    explain_all();
+    function = "bayesian_weights";
+    explain_weights();
+    weights.passes("a weight");
+    function = "posterior_variance";
+    subtracted.passes("what is subtracted from zz");
+    variances.passes("the variance");
+    function = "integral";
+    if (linear) factors.passes("what Y_i is multiplied by in the estimate");
+    estimates.passes("the estimate");
 }
 
 }  // namespace
@@ -155,6 +156,7 @@ Matrix bmc::covariance_matrix(const Covariance&, double, const std::vector<Vec3>
 }
 
 std::vector<double> bmc::z_of(const Covariance&, const std::vector<Vec3>& directions, Known) {
+    if (!other_z.empty()) return other_z;
     std::vector<double> z(directions.size(), last_z);
     z[0] = first_z, z[1] = z1;
     return z;

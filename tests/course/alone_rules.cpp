@@ -3,10 +3,12 @@
 #include "alone.h"
 
 #include "experiments/error_table.h"
+#include "numerics/formatted.h"
 #include "scene/pixel_rules.h"
 #include "scene/reflection.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -23,7 +25,7 @@ double integrand_of(Vec3 w) { return 40 * w.y; }
 // What a table was made of: the y of the first direction of every set, what was estimated there, and the errors
 // predicted.
 struct Taken {
-    std::vector<double> mc, bmc, mc_estimates, bmc_estimates, predicted;
+    std::vector<double> mc, bmc, mc_estimates, bmc_estimates, predicted, amplitudes;
     double noise = 0, covariance = 0;
 } taken;
 
@@ -56,6 +58,7 @@ GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std
     ++rules_made;
     const double n = static_cast<double>(directions_.size());
     taken.bmc_estimates.push_back(0);
+    taken.amplitudes.push_back(integrand_of(directions_[0]) / 3 + 2);
     for (double i = 0.5; i < n; ++i) {
         weights_.push_back(numbered ? static_cast<double>(rules_made)
                                     : 2 * pi / n * (noise + i) / (taken.covariance + n / 2));
@@ -108,56 +111,41 @@ void explain_sets(const char* method, const std::vector<double>& sets, std::size
                sets.size(), wanted);
 }
 
-// A column of a table: what is in a row, and what it is the mean of.
-struct Column {
-    double given;
-    std::vector<double> values;  // estimates, or standard errors, which have the truth 0
-    double truth, n, other;      // numbers of samples, and of the other method's estimates
-};
-
-Mistakes mistakes_of_column(const Column& c) {
+// A number in a row of a table, and the estimates of which it is the mean error; or standard errors, which have the
+// truth 0; beside the number of the other method's estimates.
+Case mean_error(std::vector<double> values, double truth, double n, double other) {
+    if (values.empty()) values = {NAN};  // nothing that is known
     std::vector<double> errors;
-    double size = 0, bias = 0;
-    for (const double value : c.values) {
-        errors.push_back(std::fabs(value - c.truth));
-        size += errors.back(), bias += value - c.truth;
+    double size = 0, bias = 0, squares = 0, amplitude = 0;
+    const double count = static_cast<double>(values.size());
+    for (const double value : values) {
+        errors.push_back(std::fabs(value - truth));
+        squares += errors.back() * errors.back() / count, size += errors.back(), bias += (value - truth) / count;
     }
-    const double count = static_cast<double>(errors.size());
-    return mistakes(errors,
-                    {{{size}, " is a sum; it should be a mean"},
-
-                     {{size / c.other}, " is divided by the number of the other method's estimates"},
-                     {{size / c.n, size / count / c.n}, " is divided by the number of samples"},
-                     {{size / count / count}, " is divided by the number of estimates twice"},
-
-                     {{bias / count + 2 * c.truth}, " has the truth added; it is to be subtracted"},
-                     {{size / count / c.truth}, " is divided by the truth"},
-                     {{bias / count + c.truth}, " has a mean of estimates: the truth is not subtracted"},
-                     {{bias / count, -bias / count, std::fabs(bias / count)},
-                      " is a mean without absolute values, or the absolute value of a mean"},
-
-                     {{0.3, std::sqrt(0.3)},
-                      " is the variance of the process or its root; standard_error(values) gives the error"}},
-                    1 / count);
-}
-
-void explain_column(const char* name, std::vector<Column> rows) {
-    std::vector<double> given;
-    for (Column& row : rows) {
-        given.push_back(row.given);
-        if (row.values.empty()) row.values = {NAN};  // nothing that is known
-    }
-    explain(name, given, [&](std::size_t i) { return mistakes_of_column(rows[i]); });
+    for (const double each : taken.amplitudes) amplitude += each / static_cast<double>(taken.amplitudes.size());
+    return mistakes(
+        errors,
+        {{{size}, " is a sum; it should be a mean"},
+         {{size / other}, " is divided by the number of the other method's estimates"},
+         {{size / count / truth}, " is divided by the truth"},
+         {{std::sqrt(squares)}, " is the root of a mean of squares"},
+         {{bias + 2 * truth}, " has the truth added; it is to be subtracted"},
+         {{bias + truth}, " has a mean of estimates: the truth is not subtracted"},
+         {{bias, -bias, std::fabs(bias)}, " is a mean without absolute values, or the absolute value of a mean"},
+         {{0.3, std::sqrt(0.3), amplitude, 0.3 * amplitude, std::sqrt(0.3) * amplitude},
+          " is made of the variance or the amplitude of the process; standard_error(values) gives the error"}},
+        {{"n", n}, {"the number of estimates", count}, {"the other method's number of estimates", other}}, 1 / count);
 }
 
 void table() {
+    function = "error_row";
     numbered = false;
     ErrorSettings settings;
     settings.covariance = CovarianceFamily::squared_exponential;
     settings.noise = 0.25;
     settings.seed = 7;
     const Integrand integrand{"", "", integrand_of, 112};
-    std::vector<Column> mc, bmc, predicted;
+    Trial mc, bmc, predicted;
     for (const bool more : {false, true}) {
         settings.mc_estimates = more ? 2 : 5;
         settings.bmc_estimates = more ? 4 : 3;
@@ -172,14 +160,14 @@ void table() {
             explain_if(taken.noise != 0.25, "the process has the noise %g, the settings say 0.25", taken.noise);
             explain_if(taken.covariance != (*settings.make_covariance())(1), "the process has another covariance");
             const double samples = static_cast<double>(n), mcs = more ? 2 : 5, bmcs = more ? 4 : 3;
-            mc.push_back({row.mc_error, taken.mc_estimates, integrand.truth, samples, bmcs});
-            bmc.push_back({row.bmc_error, taken.bmc_estimates, integrand.truth, samples, mcs});
-            predicted.push_back({row.bmc_predicted, taken.predicted, 0, samples, mcs});
+            mc.add(row.mc_error, mean_error(taken.mc_estimates, integrand.truth, samples, bmcs));
+            bmc.add(row.bmc_error, mean_error(taken.bmc_estimates, integrand.truth, samples, mcs));
+            predicted.add(row.bmc_predicted, mean_error(taken.predicted, 0, samples, mcs));
         }
     }
-    explain_column("mc_error", mc);
-    explain_column("bmc_error", bmc);
-    explain_column("bmc_predicted", predicted);
+    mc.passes("mc_error");
+    bmc.passes("bmc_error");
+    predicted.passes("bmc_predicted");
 }
 
 // A private function, for numbers that a stream of random numbers hardly gives.
@@ -194,9 +182,12 @@ template struct Opened<&PixelRules::pool>;
 
 // A pixel's random numbers, and what the method made of them.
 struct Pixel {
-    double u, turns;
+    std::vector<double> numbers;
     const PlacedRule placed;
     Vec3 normal;
+
+    double u() const { return numbers[0]; }
+    double turns() const { return numbers[1]; }
 
     // The turns, in [0, 1), by which direction i was turned about the normal.
     double turned(std::size_t i) const {
@@ -212,63 +203,90 @@ struct Pixel {
     }
 };
 
-// Whether every direction of every pixel was turned by so many times a number of the pixel.
-bool all_turned(const std::vector<Pixel>& pixels, double factor, double Pixel::*number, double more = 0) {
+// Whether every direction of every pixel was turned by so much.
+template <class Turns>
+bool all_turned(const std::vector<Pixel>& pixels, Turns turns) {
     for (const Pixel& pixel : pixels)
         for (std::size_t i = 0; i < pixel.placed.rule->size(); ++i) {
-            const double apart = pixel.turned(i) - factor * pixel.*number - more;
+            const double apart = pixel.turned(i) - turns(pixel);
             if (!(std::fabs(apart - std::floor(apart + 0.5)) < 1e-3)) return false;
         }
     return true;
 }
+bool none_turned(const std::vector<Pixel>& pixels) {
+    return all_turned(pixels, [](const Pixel&) { return 0; });
+}
 
-const char* angle(const std::vector<Pixel>& pixels) {
+std::string angle_of(const std::vector<Pixel>& pixels) {
+    if (none_turned(pixels)) return "not turned";
+    if (!all_turned(pixels, [](const Pixel& pixel) { return pixel.turned(0); }))
+        return "directions by different angles";
     const std::pair<double, const char*> factors[] = {{1, "by the pixel's turns"},
-                                                      {0, "not turned"},
                                                       {-1, "by the turns, but the other way round"},
-                                                      {1 / (2 * pi), "by so many radians instead of turns"},
-                                                      {pi / 180, "by pi / 180 as much: turns are no degrees"},
-                                                      {1.0 / 360, "by a 360th: turns are no degrees"},
-                                                      {2 * pi, "by 2 pi as much: turns are no radians"},
-                                                      {360, "by 360 times as much: turns are no degrees"},
-                                                      {360 / (2 * pi), "by 57.3 times as much: turns are no degrees"},
-                                                      {pi, "by pi as much: turns are no radians"},
                                                       {2, "twice as far"},
-                                                      {0.5, "half as far"}};
+                                                      {2 * pi, "by 2 pi as much: turns are no radians"},
+                                                      {360, "by 360 times as much: turns are no degrees"}};
     for (const auto& [factor, words] : factors)
-        if (all_turned(pixels, factor, &Pixel::turns)) return words;
-    const double first = pixels[0].turned(0);
-    if (all_turned(pixels, 0, &Pixel::turns, first)) return "by a fixed angle";
-    if (all_turned(pixels, 1, &Pixel::turns, first - pixels[0].turns)) return "by the turns and a fixed angle besides";
-    if (all_turned(pixels, 1, &Pixel::u)) return "by u, which chooses the rule; turns is the angle";
-    return "by another angle, or directions by different ones";
+        if (all_turned(pixels, [its = factor](const Pixel& pixel) { return its * pixel.turns(); })) return words;
+    for (std::size_t k = 0; k < pixels[0].numbers.size(); ++k)
+        if (all_turned(pixels, [=](const Pixel& pixel) { return pixel.numbers[k]; }))
+            return k == 0 ? "by u, which chooses the rule; turns is the angle"
+                          : formatted("by the pixel's random number %zu", k + 1);
+    const double first = pixels[0].turned(0), more = first - pixels[0].turns();
+    if (all_turned(pixels, [=](const Pixel&) { return first; }))
+        return formatted("by a fixed angle, %.3g turns", first);
+    if (all_turned(pixels, [=](const Pixel& pixel) { return pixel.turns() + more; }))
+        return formatted("by the turns and %.3g turns besides", more);
+    return "by another angle";
+}
+
+// Which vector is the up axis of every pixel's frame where (x, y, z) is the normal: (x, |y|, -z), say.
+std::string axis_of(const std::vector<Pixel>& pixels) {
+    std::string words;
+    for (const auto part : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+        std::string found = "?";
+        for (const std::string name : {"0", "1", "x", "y", "z", "-x", "-y", "-z", "|x|", "|y|", "|z|"}) {
+            bool so = true;
+            for (const Pixel& pixel : pixels) {
+                double of = name == "1";
+                if (name.find('x') < 2) of = pixel.normal.x;
+                if (name.find('y') < 2) of = pixel.normal.y;
+                if (name.find('z') < 2) of = pixel.normal.z;
+                of = name[0] == '-' ? -of : name[0] == '|' ? std::fabs(of) : of;
+                so = so && std::fabs(pixel.placed.frame.normal.*part - of) < 1e-3;
+            }
+            if (so) found = name;
+        }
+        words += (words.empty() ? "(" : ", ") + found;
+    }
+    return words + ')';
 }
 
 void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
     for (const auto& shared : rules.shared()) numbers.emplace(shared.weights.at(0), numbers.size());
     std::map<std::size_t, std::pair<double, double>> chosen;  // the least and the largest u for which it is chosen
-    std::vector<double> choices;
+    Trial choices;
     for (const Pixel& pixel : pixels) {
+        const double u = pixel.u(), i = static_cast<double>(choices.given.size());
         const auto number = numbers.find(pixel.placed.rule->weights.at(0));
         if (number == numbers.end()) throw std::runtime_error("the rule is none of shared_rules_");
-        auto& [least, largest] = chosen.emplace(number->second, std::pair(pixel.u, pixel.u)).first->second;
-        least = std::min(least, pixel.u), largest = std::max(largest, pixel.u);
-        choices.push_back(static_cast<double>(number->second));
+        auto& [least, largest] = chosen.emplace(number->second, std::pair(u, u)).first->second;
+        least = std::min(least, u), largest = std::max(largest, u);
+        choices.add(static_cast<double>(number->second),
+                    mistakes(std::floor(7 * u),
+                             {{{std::floor(7 * pixel.turns())}, "turns chooses the rule; u is for that"},
+                              {{0, 6}, " is 0, or size - 1, whatever u"},
+                              {{std::floor(6 * u)}, "u is multiplied by size - 1, so the last is never chosen"},
+                              {{std::floor(6 * u + 0.5), std::ceil(6 * u), std::min(6.0, std::floor(7 * u + 0.5))},
+                               "u size is to be cut off, not rounded, nor is u (size - 1)"},
+                              {{6 - std::floor(7 * u)}, "the rules are counted from the end"},
+                              {{std::min(6.0, std::floor(20 * u)), std::fmod(std::floor(20 * u), 7),
+                                std::fmod(std::floor(100 * u), 7)},
+                               "u is multiplied by another number than size()"},
+                              {{std::fmod(i, 7)}, "the rules take turns: a counter chooses; u is for that"}}));
     }
-    if (numbers.size() > 1)
-        explain("", choices, [&](std::size_t i) {
-            const double u = pixels[i].u;
-            return Mistakes{{{std::floor(7 * u)}, ""},
-                            {{std::floor(7 * pixels[i].turns)}, "turns chooses the rule; u is for that"},
-                            {{0}, "the first rule is always chosen"},
-                            {{6}, "the last rule is always chosen"},
-                            {{std::floor(6 * u)}, "u is multiplied by size - 1, so the last is never chosen"},
-                            {{std::floor(6 * u + 0.5), std::ceil(6 * u), std::min(6.0, std::floor(7 * u + 0.5))},
-                             "u size is to be cut off, not rounded, nor is u (size - 1)"},
-                            {{6 - std::floor(7 * u)}, "the rules are counted from the end"},
-                            {{std::min(6.0, std::floor(20 * u))}, "u is multiplied by 20; the pool has size() rules"}};
-        });
+    if (numbers.size() > 1) choices.passes("the number of the rule");
     std::printf("# rules never chosen:");
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (chosen.count(i) == 0) std::printf(" %zu of %zu", i, numbers.size());
@@ -285,43 +303,52 @@ template <Method its>
 void method() {
     RenderSettings settings;
     settings.method = its;
+    for (const auto& [name, method] : method_names)
+        if (method == its) function = name;
     settings.samples = 3;
     settings.pool = 7;
     const PixelRules rules(settings);
     const std::size_t shared = rules_made;
     std::vector<Pixel> pixels;
-    bool upright = true, above = true, opposite = true, world = true, own = true;
+    bool upright = true, same = true;
+    std::vector<bool> drawn(6, true);
     for (std::size_t i = 0; i < 2000; ++i) {
-        Random random(3, i), same(3, i);
-        const double u = same.uniform(), turns = same.uniform();
-        const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 2 * u - 1, turns - 0.5});
-        pixels.push_back({u, turns, rules.rule_for(normal, random), normal});
-        if (!pixels.back().placed.rule) throw std::runtime_error("a pixel has no rule");
-        const CosineRule& rule = *pixels.back().placed.rule;
-        for (std::size_t j = 0; j < rule.size(); ++j) {
-            const double y = static_cast<double>(rule.y[j]);
-            opposite = opposite && std::fabs(pixels.back().local(j).y + y) < 1e-3;
-            world = world && squared_distance(pixels.back().placed.frame.normal, pixels[0].placed.frame.normal) < 1e-9;
-            if (!(std::fabs(pixels.back().local(j).y - static_cast<double>(rule.y[j])) < 1e-3)) {
-                upright = false;
-                above = above && normal.y < 0;
-            }
-        }
-        own = own && std::fabs(pixels.back().local(0).y - u) < 1e-3;
+        Random random(3, i), again(3, i);
+        std::vector<double> numbers;
+        while (numbers.size() < drawn.size()) numbers.push_back(again.uniform());
+        const Vec3 normal = normalize({std::sin(static_cast<double>(i)), 2 * numbers[0] - 1, numbers[1] - 0.5});
+        pixels.push_back({numbers, rules.rule_for(normal, random), normal});
+        const Pixel& pixel = pixels.back();
+        if (!pixel.placed.rule) throw std::runtime_error("a pixel has no rule");
+        const CosineRule& rule = *pixel.placed.rule;
+        for (std::size_t j = 0; j < rule.size(); ++j)
+            upright = upright && std::fabs(pixel.local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
+        for (std::size_t k = 0; k < drawn.size(); ++k)
+            drawn[k] = drawn[k] && std::fabs(static_cast<double>(rule.y[0]) - numbers[k]) < 1e-3;
+        same = same && rule.y[0] == pixels[0].placed.rule->y[0];
     }
     const std::size_t made = rules_made - shared;
-    explain_if(opposite, "the frame's up axis is the opposite of the normal");
-    explain_if(world, "the frame is not aligned with the normal: Frame(normal) does that");
-    explain_if(!upright && above, "the frame's up axis is not the normal where that points down");
-    explain_if((its == Method::rotated || its == Method::pool) && all_turned(pixels, 0, &Pixel::turns),
+    const std::string axis = upright ? "(x, y, z)" : axis_of(pixels);
+    explain_if(axis != "(x, y, z)", "where the normal is (x, y, z) the frame's up axis is %s: Frame(normal) aligns it",
+               axis.c_str());
+    explain_if((its == Method::rotated || its == Method::pool) && none_turned(pixels),
                "not turned: rotated(turns) changes no frame, it returns one that is turned by a number of turns");
     explain_if(its == Method::direct && made != 2000, "%zu processes for 2000 pixels; every pixel has its own", made);
     explain_if(its != Method::direct && made > 0, "%zu new processes for 2000 pixels; take one of shared_rules_", made);
     std::printf("# directions of a rule: %zu\n", pixels[0].placed.rule->size());
     std::printf("# rules made for 2000 pixels: %zu\n", made);
     std::printf("# their up axis is the normal: %s\n", upright ? "yes" : "no");
-    std::printf("# turned: %s\n", angle(pixels));
-    if (its == Method::direct) std::printf("# drawn first from the pixel's random numbers: %s\n", own ? "yes" : "no");
+    std::printf("# turned: %s\n", angle_of(pixels).c_str());
+    if (its == Method::direct) {
+        std::printf("# drawn first from the pixel's random numbers: %s\n", drawn[0] ? "yes" : "no");
+        explain_if(
+            same, "all pixels have the same directions; fresh_rule(random) takes them from the pixel's random numbers");
+        for (std::size_t k = 1; k < drawn.size(); ++k)
+            explain_if(drawn[k], "%zu of the pixel's random numbers are drawn before its directions are", k);
+        explain_if(!drawn[0],
+                   "the directions are not drawn from the pixel's random numbers: random itself, no copy and no other, "
+                   "goes to fresh_rule");
+    }
     if (its != Method::direct) print_choices(pixels, rules);
 }
 
