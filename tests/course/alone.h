@@ -51,12 +51,12 @@ struct Quantity {
 };
 using Quantities = std::vector<Quantity>;
 
-inline Quantities count(double n) { return {{"n", n}, {"(n - 1)", n - 1}, {"(n + 1)", n + 1}}; }
+inline Quantities count(double n) { return {{"n", n}, {"(n-1)", n - 1}, {"(n+1)", n + 1}}; }
 
 inline Quantities angle(double cosine, Quantities others = {}) {
     const Quantities own{{"cos(theta)", cosine},
                          {"the sine", std::sqrt(std::max(0.0, 1 - cosine * cosine))},
-                         {"(1 - cos(theta))", 1 - cosine},
+                         {"(1-cos(theta))", 1 - cosine},
                          {"theta", std::acos(std::min(1.0, cosine))}};
     others.insert(others.end(), own.begin(), own.end());
     return others;
@@ -110,20 +110,21 @@ inline Case mistakes(const std::vector<double>& terms, Mistakes own, Quantities 
     return mistakes(scale * sum, own, std::move(quantities));
 }
 
-// As words, if numbers are others times so many quantities of their cases, or 1 over these, times one constant.
+// As words, if numbers are others times so many quantities of their cases, or 1 over these, times one constant, which
+// may have to be one of few digits or pi.
 inline std::string law(const std::vector<double>& numbers, const std::vector<double>& others,
-                       const std::vector<const Case*>& cases, int degree, std::string above = "",
+                       const std::vector<const Case*>& cases, int degree, bool plain, std::string above = "",
                        std::string below = "") {
     for (std::size_t q = 0; degree > 0 && q < cases[0]->quantities.size(); ++q)
         for (const bool over : {false, true}) {
             std::vector<double> products = others;
             for (std::size_t i = 0; i < products.size(); ++i)
                 products[i] *= std::pow(cases[i]->quantities[q].value, over ? -1 : 1);
-            const std::string name = ' ' + cases[0]->quantities[q].name, &all = over ? below : above;
+            const std::string name = " * " + cases[0]->quantities[q].name, &all = over ? below : above;
             const bool again = all.size() >= name.size() && all.rfind(name) == all.size() - name.size();
             const std::string more = all + (again ? "^2" : name);
             const std::string words =
-                law(numbers, products, cases, degree - 1, over ? above : more, over ? more : below);
+                law(numbers, products, cases, degree - 1, plain, over ? above : more, over ? more : below);
             if (!words.empty()) return words;
         }
     if (degree > 0) return "";
@@ -132,21 +133,32 @@ inline std::string law(const std::vector<double>& numbers, const std::vector<dou
         if (std::isfinite(numbers[i] / others[i])) constant = numbers[i] / others[i];
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (constant == 0 || !near(numbers[i], constant * others[i])) return "";
-    char number[40];
-    std::snprintf(number, sizeof number, " %.4g", std::fabs(constant));
+    const double size = std::fabs(constant);
+    bool named = false;
     for (const double power : {2, -2, 1, -1, 0}) {  // of pi, times a whole number, or 1 over one
-        const double rest = std::fabs(constant) / std::pow(std::acos(-1), power),
-                     whole = std::round(std::max(rest, 1 / rest));
-        if (!(whole < 100 && std::fabs(whole / std::max(rest, 1 / rest) - 1) < 1e-5)) continue;
+        const double rest = size / std::pow(std::acos(-1), power), whole = std::round(std::max(rest, 1 / rest));
+        named = whole < 100 && std::fabs(whole / std::max(rest, 1 / rest) - 1) < 1e-5;
+        if (!named) continue;
         const std::string of_pi = power == 0 ? "" : std::fabs(power) == 1 ? " pi" : " pi^2";
         const std::string digits = whole > 1 ? ' ' + std::to_string(static_cast<int>(whole)) : "";
-        below = (rest < 1 ? digits : "") + (power < 0 ? of_pi : "") + below;
-        std::strcpy(number, ((rest < 1 ? "" : digits) + (power > 0 ? of_pi : "")).c_str());
+        for (const bool over : {false, true}) {
+            const std::string factor = (over == (rest < 1) ? digits : "") + (over == (power < 0) ? of_pi : "");
+            std::string& all = over ? below : above;
+            if (!factor.empty()) all = " *" + factor + all;
+        }
         break;
     }
-    above = number + above;
-    if (below.find(' ', 1) != std::string::npos && below[1] != '(') below = " (" + below.substr(1) + ')';
-    return (constant < 0 ? " -" : " ") + (above.empty() ? "1" : above.substr(1)) + (below.empty() ? "" : " /" + below);
+    if (!named && plain) return "";
+    if (!named) {
+        char digits[40];
+        std::snprintf(digits, sizeof digits, " * %.4g", size);
+        above = digits + above;
+    }
+    const bool product = below.find(' ', 3) != std::string::npos;
+    return (constant < 0 ? " -" : " ") + (above.empty() ? "1" : above.substr(3)) +
+           (below.empty() ? ""
+            : product     ? " / (" + below.substr(3) + ')'
+                          : " / " + below.substr(3));
 }
 
 // By what all these numbers are explained, or nothing.
@@ -164,11 +176,11 @@ inline std::string explanation(const std::vector<double>& given, const std::vect
         varies = varies || !near(right[i], right[0]);
     }
     for (int degree = 0; degree < 4 && given.size() > 2; ++degree) {
-        const std::string only = varies ? law(given, ones, cases, degree) : "";
+        const std::string only = varies ? law(given, ones, cases, degree, degree > 0) : "";
         if (!only.empty()) return (degree == 0 ? " is always" : " is") + only;
-        const std::string times = law(given, right, cases, degree);
+        const std::string times = law(given, right, cases, degree, false);
         if (!times.empty()) return " is" + times + " times what it should be";
-        const std::string plus = law(more, ones, cases, degree);
+        const std::string plus = law(more, ones, cases, degree, degree > 0);
         if (!plus.empty()) return " is what it should be, plus" + plus;
     }
     return "";

@@ -103,12 +103,13 @@ void explain_sets(const char* method, const std::vector<double>& sets, std::size
     }
     std::string right;
     for (std::size_t e = 0; e < wanted; ++e) right += ' ' + std::to_string(e);
-    explain_if(sets.size() > wanted, "%s makes %zu estimates, the settings say %zu", method, sets.size(), wanted);
+    explain_if(sets.size() > wanted, "%s takes %zu sets of directions, the settings say %zu estimates", method,
+               sets.size(), wanted);
     explain_if(!sets.empty() && numbers.substr(0, right.size()) != right.substr(0, numbers.size()),
                "%s takes the directions of the estimates%.40s (?: none of these), not%s", method, numbers.c_str(),
                right.c_str());
-    explain_if(!sets.empty() && sets.size() != wanted, "%s makes %zu estimates, the settings say %zu", method,
-               sets.size(), wanted);
+    explain_if(!sets.empty() && sets.size() != wanted,
+               "%s takes %zu sets of directions, the settings say %zu estimates", method, sets.size(), wanted);
 }
 
 // A number in a row of a table, and the estimates of which it is the mean error; or standard errors, which have the
@@ -240,28 +241,6 @@ std::string angle_of(const std::vector<Pixel>& pixels) {
     return "by another angle";
 }
 
-// Which vector is the up axis of every pixel's frame where (x, y, z) is the normal: (x, |y|, -z), say.
-std::string axis_of(const std::vector<Pixel>& pixels) {
-    std::string words;
-    for (const auto part : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-        std::string found = "?";
-        for (const std::string name : {"0", "1", "x", "y", "z", "-x", "-y", "-z", "|x|", "|y|", "|z|"}) {
-            bool so = true;
-            for (const Pixel& pixel : pixels) {
-                double of = name == "1";
-                if (name.find('x') < 2) of = pixel.normal.x;
-                if (name.find('y') < 2) of = pixel.normal.y;
-                if (name.find('z') < 2) of = pixel.normal.z;
-                of = name[0] == '-' ? -of : name[0] == '|' ? std::fabs(of) : of;
-                so = so && std::fabs(pixel.placed.frame.normal.*part - of) < 1e-3;
-            }
-            if (so) found = name;
-        }
-        words += (words.empty() ? "(" : ", ") + found;
-    }
-    return words + ')';
-}
-
 void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     std::map<double, std::size_t> numbers;
     for (const auto& shared : rules.shared()) numbers.emplace(shared.weights.at(0), numbers.size());
@@ -270,7 +249,8 @@ void print_choices(const std::vector<Pixel>& pixels, const PixelRules& rules) {
     for (const Pixel& pixel : pixels) {
         const double u = pixel.u(), i = static_cast<double>(choices.given.size());
         const auto number = numbers.find(pixel.placed.rule->weights.at(0));
-        if (number == numbers.end()) throw std::runtime_error("the rule is none of shared_rules_");
+        if (number == numbers.end() || pixel.placed.rule->y[0] != rules.shared()[number->second].y[0])
+            throw std::runtime_error("the rule is none of shared_rules_");
         auto& [least, largest] = chosen.emplace(number->second, std::pair(u, u)).first->second;
         least = std::min(least, u), largest = std::max(largest, u);
         choices.add(static_cast<double>(number->second),
@@ -310,7 +290,7 @@ void method() {
     const PixelRules rules(settings);
     const std::size_t shared = rules_made;
     std::vector<Pixel> pixels;
-    bool upright = true, same = true;
+    bool upright = true, above = true, world = true, same = true;
     std::vector<bool> drawn(6, true);
     for (std::size_t i = 0; i < 2000; ++i) {
         Random random(3, i), again(3, i);
@@ -321,16 +301,20 @@ void method() {
         const Pixel& pixel = pixels.back();
         if (!pixel.placed.rule) throw std::runtime_error("a pixel has no rule");
         const CosineRule& rule = *pixel.placed.rule;
-        for (std::size_t j = 0; j < rule.size(); ++j)
-            upright = upright && std::fabs(pixel.local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
+        for (std::size_t j = 0; j < rule.size(); ++j) {
+            const bool so = std::fabs(pixel.local(j).y - static_cast<double>(rule.y[j])) < 1e-3;
+            upright = upright && so, above = above && (so || normal.y < 0);
+        }
+        world = world && squared_distance(pixel.placed.frame.normal, pixels[0].placed.frame.normal) < 1e-9;
         for (std::size_t k = 0; k < drawn.size(); ++k)
             drawn[k] = drawn[k] && std::fabs(static_cast<double>(rule.y[0]) - numbers[k]) < 1e-3;
         same = same && rule.y[0] == pixels[0].placed.rule->y[0];
     }
     const std::size_t made = rules_made - shared;
-    const std::string axis = upright ? "(x, y, z)" : axis_of(pixels);
-    explain_if(axis != "(x, y, z)", "where the normal is (x, y, z) the frame's up axis is %s: Frame(normal) aligns it",
-               axis.c_str());
+    explain_if(world, "the frame has the same up axis for all pixels; Frame(normal) is aligned with the normal");
+    explain_if(!upright && above,
+               "the frame's up axis is not the normal where that points down; Frame(normal) aligns it");
+    explain_if(!upright, "the frame's up axis is not the normal; Frame(normal) aligns it");
     explain_if((its == Method::rotated || its == Method::pool) && none_turned(pixels),
                "not turned: rotated(turns) changes no frame, it returns one that is turned by a number of turns");
     explain_if(its == Method::direct && made != 2000, "%zu processes for 2000 pixels; every pixel has its own", made);
