@@ -305,6 +305,7 @@ void z() {
                     k.z(y),
                     {{{Sobolev().z(y)}, " is always the default covariance's; take the one given"},
                      {{k.z(1), k.z(0)}, " does not depend on the elevation"},
+                     {{k.z(std::min(1.0, std::acos(y)))}, " is of the angle; covariance.z takes its cosine, y"},
                      {{sum, sum * 2 * pi / n}, " is a sum of k over the directions given; it is an integral over H"},
                      {{k(y), k(1 - y), k(2 - 2 * y)}, "this is k of y, not z: covariance.z gives the integral"}},
                     quantities, i, z.size()));

@@ -77,6 +77,7 @@ inline Case mistakes(double right, Mistakes own, Quantities quantities = {}, std
     own.insert(own.begin(), {{right}, ""});
     own.insert(own.end(), {{{0}, " is 0: is it set?"},
                            {{1}, " is 1"},
+                           {{HUGE_VAL, -HUGE_VAL}, " is infinite: a division by 0?"},
                            {{-right}, " has the other sign"},
                            {{std::fabs(right)}, " has lost its sign where it is below 0"},
                            {{std::max(0.0, right)}, " is 0 where it should be below 0"},
@@ -209,15 +210,15 @@ struct Trial {
         std::string words = explanation(given, all), where;
         if (words.empty() && wrong.size() < all.size()) {
             words = explanation(wrongly, wrong);
-            where = first  ? "in the first place alone "
-                    : last ? "in the last place alone "
-                           : "in " + std::to_string(wrong.size()) + " of " + std::to_string(all.size()) + " cases ";
+            where = first  ? " (in the first place alone)"
+                    : last ? " (in the last place alone)"
+                           : " (" + std::to_string(wrong.size()) + " of " + std::to_string(all.size()) + " cases)";
             if (words.find_first_of(" :") != 0) words = first || last ? " is wrong" : "";  // others tell of all
         }
         if (words.empty() && unexplained.empty())
             unexplained = std::string(cause_mark) + ": " + function + ": " + about + " is wrong\n";
-        explain_if(!words.empty(), "%s%s%s", where.c_str(), words.find_first_of(" :") == 0 ? about.c_str() : "",
-                   words.c_str());
+        explain_if(!words.empty(), "%s%s%s", words.find_first_of(" :") == 0 ? about.c_str() : "", words.c_str(),
+                   where.c_str());
         return false;
     }
 };

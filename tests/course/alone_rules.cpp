@@ -33,6 +33,7 @@ struct Taken {
 
 DirectionSet bmc::place_directions(Placement placement, std::size_t n, Random& random) {
     DirectionSet set{placement, {}};
+    if (n == 0) throw std::invalid_argument("a set of 0 directions is asked for");
     for (std::size_t i = 0; i < n; ++i) {
         const double y = random.uniform();
         set.directions.push_back(rotate_around_y({0, y, std::sqrt(1 - y * y)}, 0.1 * static_cast<double>(i)));
@@ -329,9 +330,9 @@ void method() {
             same, "all pixels have the same directions; fresh_rule(random) takes them from the pixel's random numbers");
         for (std::size_t k = 1; k < drawn.size(); ++k)
             explain_if(drawn[k], "%zu of the pixel's random numbers are drawn before its directions are", k);
-        explain_if(!drawn[0],
-                   "the directions are not drawn from the pixel's random numbers: random itself, no copy and no other, "
-                   "goes to fresh_rule");
+        explain_if(
+            !drawn[0],
+            "its directions are not those of fresh_rule(random): made in another way, or of other random numbers");
     }
     if (its != Method::direct) print_choices(pixels, rules);
 }

@@ -1,5 +1,5 @@
-// libFuzzer: any bytes are a picture, a map of radiances, rows of numbers or the options of a command, or an error of one
-// line.
+// libFuzzer: any bytes are a picture, a map of radiances, rows of numbers or the options of a command, or an error of
+// one line.
 #include "../course/judge/picture_file.h"
 #include "command_line.h"
 #include "experiments/error_table.h"
