@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 using namespace bmc;
@@ -49,17 +48,14 @@ void montecarlo() {
         for (const Vec3& direction : set.directions) cosines += direction.y;
         for (std::size_t i = 0; i < std::min({n, rule.directions.size(), rule.weights.size()}); ++i) {
             same = same && squared_distance(rule.directions[i], set.directions[i]) == 0;
-            const double y = set.directions[i].y, count = static_cast<double>(n);
+            Quantities quantities = count(static_cast<double>(n));
+            quantities.push_back({"(i+1)", static_cast<double>(i + 1)});
+            quantities.push_back({"the sum of the cosines", cosines});
             weights.add(rule.weights[i],
-                        mistakes(2 * pi / count,
+                        mistakes(2 * pi / static_cast<double>(n),
                                  {{{1 / (2 * pi)}, " is a density, 1 / (2 pi)"},
                                   {{n > 1 ? 0 : 2 * pi}, " is 0 but for n = 1: whole numbers divided?"}},
-                                 angle(y, {{"n", count},
-                                           {"(n-1)", count - 1},
-                                           {"(n+1)", count + 1},
-                                           {"(i+1)", static_cast<double>(i + 1)},
-                                           {"the sum of the cosines", cosines}}),
-                                 i, n));
+                                 angle(set.directions[i].y, quantities), i, n));
         }
         explain_if(!same, "the rule's directions are not those that were given");
         explain_if(rule.known != Known::nothing, "the known part is the cosine; it has to be nothing");
@@ -287,7 +283,7 @@ void z() {
     for (const double cosine : {1.0, 0.9, 0.5, 0.1, 0.0})
         for (const double turns : {0.0, 0.3})
             directions.push_back(rotate_around_y({std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine, 0}, turns));
-    std::string text = "# x y z z_j\n";
+    std::printf("# x y z z_j\n");
     Trial all, cosines;
     bool alone = true;
     const auto take = [&](const Covariance& k, const std::vector<Vec3>& its) {
@@ -312,7 +308,7 @@ void z() {
             cosines.add(argument([&](double cosine) { return k.z(cosine); }, z[i], 0, 1),
                         mistakes(y, {{{std::cos(y)}, " is cos(y)"}}, quantities));
             alone = alone && near(z_of(k, {its[i]}).at(0), k.z(y));
-            text += formatted("%.6f %.6f %.6f %.9g\n", its[i].x, its[i].y, its[i].z, z[i]);
+            std::printf("%.6f %.6f %.6f %.9g\n", its[i].x, its[i].y, its[i].z, z[i]);
         }
     };
     take(sobolev, directions);
@@ -327,7 +323,6 @@ void z() {
         if (std::fabs(all.given[i] - all.given[i + 1]) > 1e-9) ++apart;
     explain_if(!good && apart == pairs, "z depends on the azimuth; it must not");
     take(sobolev, {{0, 1 + 1e-15, 0}});  // which rounding may give
-    std::fputs(text.c_str(), stdout);
 }
 
 CosineRule rule_of(std::initializer_list<std::pair<Vec3, double>> directions) {

@@ -8,7 +8,6 @@
 #include "scene/reflection.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <stdexcept>
 
