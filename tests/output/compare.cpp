@@ -1,24 +1,16 @@
 // compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL: says in words where an output differs from its reference
-// first, by how much, how much differs, and what the differences of a text have in common. Of pictures, PPM (P6) or PFM
+// first, by how much, how much differs, and in which columns of a table. Of pictures, PPM (P6) or PFM
 // (PF), it measures the error; --error writes this as a picture: grey is none, white or black one of 0.1. With
 // --tolerant, for the output of another program, numbers agree within a relative T (0.001) plus 1e-9, white space does
 // not count, and pictures agree in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be
 // read.
 #include "compare.h"
 
-#include "../course/judge/likely_mistakes.h"
-
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-
-std::string reason(double ratio) {
-    for (const bmc::Factor& each : bmc::factors)
-        if (std::fabs(ratio / each.factor - 1) <= 0.005) return std::string(" (") + each.name + ")";
-    return "";
-}
 
 namespace {
 

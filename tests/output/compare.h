@@ -12,18 +12,9 @@ inline bool agree(double reference, double actual, double tolerance) {
            (tolerance > 0 && std::fabs(actual - reference) <= tolerance * std::fabs(reference) + 1e-9);
 }
 
-inline std::string in_words(double value, int digits) { return bmc::formatted("%.*g", digits, value); }
-
 inline std::string count_of(std::size_t differing, std::size_t all, const char* what) {
     return bmc::formatted("%zu of %zu %s %s", differing, all, what, differing == 1 ? "differs" : "differ");
 }
-
-inline void add(std::string& text, const std::string& clause) {
-    if (!clause.empty()) text += (text.empty() ? "" : "; ") + clause;
-}
-
-// What makes results so many times as large, in brackets, if it is known.
-std::string reason(double ratio);
 
 // In words, what does not agree; empty if all does. The reference of a picture begins with P; its errors are a picture.
 std::string text_difference(const std::string& reference, const std::string& actual, double tolerance);

@@ -80,8 +80,8 @@ std::string describe_first(const Picture& reference, const Picture& actual, cons
             largest = std::fmax(largest, std::fabs(reference.values[k] - actual.values[k]));
     return bmc::formatted("pixel (x %zu, y %zu), %s: reference %.9g, here %.9g; ", i / 3 % reference.width,
                           i / 3 / reference.width, colours[i % 3], reference.values[i], actual.values[i]) +
-           count_of(pixels.size(), reference.width * reference.height, "pixels") + ", at most by " +
-           in_words(largest, 3);
+           count_of(pixels.size(), reference.width * reference.height, "pixels") +
+           bmc::formatted(", at most by %.3g", largest);
 }
 
 // Of the pixels that differ: how large the errors of the linear light are, their mean over that of the reference, and

@@ -52,66 +52,27 @@ bool lines_agree(const std::string& reference, const std::string& actual, double
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-// A number of both outputs.
-struct Cell {
-    double reference, actual;
-    bool agrees;
-};
-
-// The one number that these are of their references; 0 if there is none.
-double common_ratio(const std::vector<Cell>& cells) {
-    double ratio = 0;
-    for (const Cell& cell : cells) {
-        if (cell.reference == 0 && cell.actual == 0) continue;
-        if (cell.reference == 0 || !std::isfinite(cell.actual)) return 0;
-        const double here = cell.actual / cell.reference;
-        if (ratio == 0) ratio = here;
-        if (!(std::fabs(here - ratio) <= std::min(2e-3 * std::fabs(ratio), 0.1 * std::fabs(ratio - 1)))) return 0;
-    }
-    return ratio;
-}
-
-// What the differences in one column have in common; nothing if they have nothing.
-std::string describe_column(const std::string& name, const std::vector<Cell>& cells) {
-    const auto all = [&](auto property) { return std::all_of(cells.begin(), cells.end(), property); };
-    if (all([](const Cell& cell) { return cell.actual == 0; })) return "all of " + name + " is 0";
-    const double ratio = common_ratio(cells);
-    if (cells.size() > 1 && ratio != 0)
-        return "all of " + name + " is " + in_words(ratio, 4) + " times the reference" + reason(ratio);
-    const auto negatives = std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return cell.actual < 0; });
-    if (negatives > 0 && all([](const Cell& cell) { return cell.reference >= 0; }))
-        return std::to_string(negatives) + " of the " + std::to_string(cells.size()) + " numbers in " + name +
-               " are negative, none of the reference's";
-    return "";
-}
-
-// Of the table, rows under one another with as many columns each, that the row at line `at` stands in.
-std::string describe_table(const Words& reference, const Words& actual, std::size_t at, double tolerance) {
+// Names the columns that differ, of the table, rows under one another with as many columns each, around line `at`.
+std::string differing_columns(const Words& reference, const Words& actual, std::size_t at, double tolerance) {
     const std::size_t columns = split_columns(reference[at]).size();
     const auto in_table = [&](std::size_t i) {
         return i < reference.size() && is_row(reference[i]) && split_columns(reference[i]).size() == columns;
     };
-    std::size_t first = at, end = at;
+    std::size_t first = at;
     while (first > 0 && in_table(first - 1)) --first;
-    while (in_table(end)) ++end;
     const Words header = first > 0 ? split_columns(reference[first - 1]) : Words();  // after its "#"
-    std::string text, others;
+    std::string names;
     for (std::size_t j = 0; j < columns; ++j) {
-        std::vector<Cell> cells;
-        for (std::size_t i = first; i < end; ++i) {
+        bool same = true;
+        for (std::size_t i = first; in_table(i); ++i) {
             const Words a = split_columns(reference[i]), b = split_columns(actual[i]);
-            if (j < b.size())
-                cells.push_back({parse_word(a[j]).number, parse_word(b[j]).number, words_agree(a[j], b[j], tolerance)});
+            same = same && (j >= b.size() || words_agree(a[j], b[j], tolerance));
         }
-        if (std::all_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.agrees; })) continue;
-        const std::string name =
-            "column " + std::to_string(j + 1) + (header.size() == columns + 1 ? " (" + header[j + 1] + ")" : "");
-        const std::string clause = describe_column(name, cells);
-        add(text, clause);
-        if (clause.empty()) others += (others.empty() ? "" : ", ") + name;
+        if (!same)
+            names += (names.empty() ? "" : ", ") + ("column " + std::to_string(j + 1)) +
+                     (header.size() == columns + 1 ? " (" + header[j + 1] + ")" : "");
     }
-    if (!others.empty()) add(text, "differences in " + others);
-    return text;
+    return names;
 }
 
 // Where the first difference is: line `at` of both outputs.
@@ -147,7 +108,7 @@ std::string text_difference(const std::string& reference, const std::string& act
     if (expected.size() != found.size())
         return bmc::formatted("%s; the reference has %zu lines, here are %zu", text.c_str(), expected.size(),
                               found.size());
-    if (is_row(expected[first])) add(text, describe_table(expected, found, first, tolerance));
-    add(text, count_of(differing, lines, "lines"));
-    return text;
+    const std::string columns = is_row(expected[first]) ? differing_columns(expected, found, first, tolerance) : "";
+    if (!columns.empty()) text += "; differences in " + columns;
+    return text + "; " + count_of(differing, lines, "lines");
 }

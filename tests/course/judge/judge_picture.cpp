@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "command_line.h"
-#include "likely_mistakes.h"
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
@@ -184,17 +183,22 @@ void explain_objects(const Image& picture, const Truth& truth, const Environment
     });
     for (std::size_t i = 0; i < wrong.size(); ++i) consider(wrong_integrands[i], picture, wrong[i]);
     const double n = static_cast<double>(samples), weight = 2 * portable::pi / n;
-    std::vector<Factor> all(std::begin(factors), std::end(factors));
-    all.insert(all.end(), {{"nothing is added up", 0},
-                           {"not divided by N", n},
-                           {"divided by N twice", 1 / n},
-                           {"2 pi / N too often", weight},
-                           {"2 pi / N is missing", 1 / weight}});
-    for (const Factor& each : all) {  // with those that a picture may not tell from it: 40 is about 4 pi^2
-        std::string cause = formatted("one factor for all objects, %.3g", each.factor), before = ": perhaps ";
-        for (const auto& [reason, factor] : all)
-            if (std::fabs(factor - each.factor) <= 0.04 * each.factor) cause += std::exchange(before, "; or ") + reason;
-        consider(cause, picture, times(each.factor, 1, truth));
+    const std::pair<const char*, double> factors[] = {{"1 / pi is missing, or pi too often", portable::pi},
+                                                      {"divided by pi once too often", 1 / portable::pi},
+                                                      {"weights pi / N in place of 2 pi / N", 0.5},
+                                                      {"weights 4 pi / N in place of 2 pi / N, or added twice", 2},
+                                                      {"2 pi too often", 2 * portable::pi},
+                                                      {"2 pi is missing", 1 / (2 * portable::pi)},
+                                                      {"nothing is added up", 0},
+                                                      {"not divided by N", n},
+                                                      {"divided by N twice", 1 / n},
+                                                      {"2 pi / N too often", weight},
+                                                      {"2 pi / N is missing", 1 / weight}};
+    for (const auto& each : factors) {  // with those that a picture may not tell from it: 40 is about 4 pi^2
+        std::string cause = formatted("one factor for all objects, %.3g", each.second), before = ": perhaps ";
+        for (const auto& [reason, factor] : factors)
+            if (std::fabs(factor - each.second) <= 0.04 * each.second) cause += std::exchange(before, "; or ") + reason;
+        consider(cause, picture, times(each.second, 1, truth));
     }
 }
 
