@@ -162,12 +162,14 @@ inline std::string law(const std::vector<double>& numbers, const std::vector<dou
                           : " / " + below.substr(3));
 }
 
-// By what all these numbers are explained, or nothing.
-inline std::string explanation(const std::vector<double>& given, const std::vector<const Case*>& cases) {
+// By what all these numbers are explained, or nothing. Words that begin otherwise than with a space or a colon tell of
+// all numbers that were given, not of a part.
+inline std::string explanation(const std::vector<double>& given, const std::vector<const Case*>& cases, bool part) {
     for (std::size_t m = 1; m < cases[0]->mistakes.size(); ++m)
         for (std::size_t way = 0, i; way < cases[0]->mistakes[m].values.size(); ++way) {
             for (i = 0; i < given.size() && near(given[i], cases[i]->mistakes[m].values[way]);) ++i;
-            if (i == given.size()) return cases[0]->mistakes[m].words;
+            const std::string& words = cases[0]->mistakes[m].words;
+            if (i == given.size() && !(part && words.find_first_of(" :") != 0)) return words;
         }
     std::vector<double> right, more;
     const std::vector<double> ones(given.size(), 1);
@@ -207,13 +209,13 @@ struct Trial {
             first = first && cases[i].place == 0, last = last && cases[i].place + 1 == cases[i].of;
         }
         if (wrong.empty()) return true;
-        std::string words = explanation(given, all), where;
+        std::string words = explanation(given, all, false), where;
         if (words.empty() && wrong.size() < all.size()) {
-            words = explanation(wrongly, wrong);
+            words = explanation(wrongly, wrong, true);
             where = first  ? " (in the first place alone)"
                     : last ? " (in the last place alone)"
                            : " (" + std::to_string(wrong.size()) + " of " + std::to_string(all.size()) + " cases)";
-            if (words.find_first_of(" :") != 0) words = first || last ? " is wrong" : "";  // others tell of all
+            if (words.empty() && (first || last)) words = " is wrong";
         }
         if (words.empty() && unexplained.empty())
             unexplained = std::string(cause_mark) + ": " + function + ": " + about + " is wrong\n";

@@ -4,6 +4,7 @@
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
+#include <array>
 #include <numeric>
 #include <stdexcept>
 
@@ -13,7 +14,6 @@ namespace {
 
 double first_z = 1.5;
 constexpr double z1 = 3.25, last_z = 2.5;  // the second z, and those after it
-std::vector<double> other_z;               // in place of these, if there are some
 
 std::vector<double> products(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> products;
@@ -38,16 +38,36 @@ void print(const char* name, double z0, const std::vector<double>& y) {
     const GaussianProcess process(Sobolev(), 0.01, directions);
     const std::vector<double>&w = process.weights(), &z = process.z();
     if (w.size() != size) throw std::runtime_error("there should be a weight for each direction");
-    const double all[] = {z0 - z1, 2 * z1 - z0, last_z / 4}, zs[] = {z0, z1, last_z}, rows[] = {0, 1, 0.25};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double share = all[i] / (z1 + (n - 2) * last_z / 4);
+    // Of the first two directions and the last one: a matrix times z, which is a block of 2 x 2 and a diagonal.
+    using Three = std::array<double, 3>;
+    const auto times_z = [&](double a, double b, double c, double d, double last) {
+        return Three{a * z0 + b * z1, c * z0 + d * z1, last * last_z};
+    };
+    constexpr double root = 0.70710678118654752;
+    const Three all = times_z(1, -1, -1, 2, 0.25), zs = times_z(1, 0, 0, 1, 1), rows = times_z(0, 0, 0, 1, 0.25);
+    const double sum = all[0] + all[1] + (n - 2) * all[2];
+    for (std::size_t i = 0; i < 3; ++i)
         weights.add(i < 2 ? w[i] : w.back(),
                     mistakes(all[i],
-                             {{{rows[i]}, "the weights are sums of rows of Q^-1: z is missing"},
-                              {{share, two_pi * share}, "the weights are made to add up to 1 or 2 pi; they are Q^-1 z"},
+                             {{{zs[i]}, "the weights are z: Q^-1 is missing"},
+                              {{times_z(2, 1, 1, 1, 4)[i]}, "the weights are Q z, not Q^-1 z"},
+                              {{times_z(root, 0, -root, 2 * root, 0.5)[i], times_z(root, -root, 0, 2 * root, 0.5)[i]},
+                               "the weights are those of solve_lower, half of the way; solve goes it all"},
+                              {{times_z(2 * root, root, 0, root, 2)[i], times_z(2 * root, 0, root, root, 2)[i]},
+                               "the weights are U z or U^T z, not Q^-1 z"},
+                              {{times_z(1, 0, 0, 2, 0.25)[i]}, "of Q^-1 only the diagonal counts"},
+                              {{times_z(1, -1, 0, 2, 0.25)[i], times_z(1, 0, -1, 2, 0.25)[i]},
+                               "of Q^-1 only a triangle counts"},
+                              {{Three{all[0], all[0] + all[1], sum}[i]}, "the sum over j is not set to 0 for each i"},
+                              {{rows[i]}, "z_i stands where z_j should"},
+                              {{times_z(1, 0, 0, -1, 0)[i], times_z(0, 0, 0, 0, 0.25)[i]},
+                               "w_i is one element of Q^-1 times z_i: the sum over j is missing"},
+                              {{times_z(2, -3, -3, 5, 0.0625)[i]}, "Q^-1 is applied twice"},
+                              {{Three{0, 1, 0.25}[i]}, "the weights are sums of rows of Q^-1: z is missing"},
+                              {{all[i] / sum, two_pi * all[i] / sum},
+                               "the weights are made to add up to 1 or 2 pi; they are Q^-1 z"},
                               {{two_pi / n}, "the weights are Monte Carlo's: Q and z do not count"}},
                              {{"n", n}, {"z_i", zs[i]}}, i, 3));
-    }
     const double variance = process.variance(), zw = sum_of(products(z, w)), estimate = process.integral(y);
     const auto above = [](double v) { return std::max(0.0, v); };
     if (variance > 0) subtracted.add(zz - variance, mistakes(products(z, w), {}, count(n)));
@@ -86,44 +106,6 @@ void print(const char* name, double z0, const std::vector<double>& y) {
     std::printf("%-20s %.9g %.9g %.9g %.9g %.9g\n", name, w[0], w[1], w.back(), variance, estimate);
 }
 
-// What each z_j counts in each w_i, of three directions.
-void explain_weights() {
-    constexpr double root = 0.70710678118654752;
-    using Square = double[3][3];
-    const Square q{{2, 1, 0}, {1, 1, 0}, {0, 0, 4}}, u{{2 * root, root, 0}, {0, root, 0}, {0, 0, 2}},
-        inverse{{1, -1, 0}, {-1, 2, 0}, {0, 0, 0.25}}, lower{{root, 0, 0}, {-root, 2 * root, 0}, {0, 0, 0.5}},
-        twice{{2, -3, 0}, {-3, 5, 0}, {0, 0, 0.0625}}, added{{1, -1, 0}, {0, 1, 0}, {0, 1, 0.25}};
-    Trial counts;
-    std::vector<double> all(3);
-    for (std::size_t j = 0; j < 3; ++j) {
-        other_z = {0, 0, 0}, other_z[j] = 1;
-        const GaussianProcess process(Sobolev(), 0.01, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double its = process.weights()[i], one = i == j ? 1 : 0, rows[] = {0, 1, 0.25};
-            all[i] += its * (j == 0 ? 1.5 : j == 1 ? z1 : last_z);
-            counts.add(
-                its,
-                mistakes(inverse[i][j],
-                         {{{one}, "the weights are z: Q^-1 is missing"},
-                          {{q[i][j]}, "the weights are Q z, not Q^-1 z"},
-                          {{lower[i][j], lower[j][i]},
-                           "the weights are those of solve_lower, half of the way; solve goes it all"},
-                          {{u[i][j], u[j][i]}, "the weights are U z or U^T z, not Q^-1 z"},
-                          {{one * inverse[i][i]}, "of Q^-1 only the diagonal counts"},
-                          {{i <= j ? inverse[i][j] : 0, i >= j ? inverse[i][j] : 0}, "of Q^-1 only a triangle counts"},
-                          {{added[i][j]}, "the sum over j is not set to 0 for each i"},
-                          {{one * rows[i]}, "z_i stands where z_j should"},
-                          {{one * inverse[i][0], one * inverse[i][2]},
-                           "w_i is one element of Q^-1 times z_i: the sum over j is missing"},
-                          {{twice[i][j]}, "Q^-1 is applied twice"}},
-                         {}, j, 3));
-        }
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-        if (!near(all[i], weights.given[i])) return;  // not linear in z
-    counts.passes("what z_j counts in w_i");
-}
-
 void integral() {
     std::printf("# samples weight_1 weight_2 last_weight variance integral\n");
     print("ordinary", 1.5, {1, 1, 1});
@@ -132,7 +114,6 @@ void integral() {
     print("sixty_samples", 1.5, std::vector<double>(60, 0.1));
     print("variance_not_below_0", -8, {1, 0.5, 1});
     function = "bayesian_weights";
-    explain_weights();
     weights.passes("a weight");
     function = "posterior_variance";
     subtracted.passes("what is subtracted from zz");
@@ -156,7 +137,6 @@ Matrix bmc::covariance_matrix(const Covariance&, double, const std::vector<Vec3>
 }
 
 std::vector<double> bmc::z_of(const Covariance&, const std::vector<Vec3>& directions, Known) {
-    if (!other_z.empty()) return other_z;
     std::vector<double> z(directions.size(), last_z);
     z[0] = first_z, z[1] = z1;
     return z;
