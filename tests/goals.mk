@@ -8,7 +8,6 @@
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
 # make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
-# make bench        how fast the hot paths are
 # make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
 # make format-check whether clang-format would change a source
@@ -16,7 +15,7 @@
 
 JUDGE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/judge.cpp,$(wildcard tests/course/judge/*.cpp)))
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
-.PHONY: O1 doctest test judge references handout grade grade_programs mutations portability sanitizers fuzz bench \
+.PHONY: doctest test judge references handout grade grade_programs mutations portability sanitizers fuzz \
     figures seconds format-check
 
 # The standard headers, read once.
@@ -62,24 +61,17 @@ grade_programs: all $(BUILD)/compare $(ALONE)
 grade:
 	BUILD=$(BUILD) CXX=$(CXX) tests/course/grade "$(SUBMISSION)"
 
-# Compiled fast, and changing no bit: what several checks and the grade use.
-O1 = $(BUILD)/O1
-O1:
-	$(MAKE) CXXFLAGS=-O1 ARCH= CPPFLAGS= LDFLAGS= BUILD=$(O1) BIN=$(O1) PRECOMPILED=$(O1)/standard.h \
-	    grade_programs $(O1)/unit_tests $(O1)/common.a
-
-mutations:
+mutations: all $(BUILD)/unit_tests $(BUILD)/compare $(BUILD)/common.a
 	BUILD=$(BUILD) tests/slow/mutations
 
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) tests/slow/portability
 
-# Needs more memory than some checks leave, which are then skipped.
 SANITIZED = $(BUILD)/sanitizers
 sanitizers:
 	$(MAKE) CXX=clang++ CPPFLAGS=-Werror CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined" \
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) PRECOMPILED=$(SANITIZED)/standard.h all $(SANITIZED)/unit_tests $(SANITIZED)/compare
-	BUILD=$(SANITIZED) BIN=$(SANITIZED) REQUIRE_ALL= tests/output/run product
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run product
 
 # What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.
 FUZZ = $(BUILD)/fuzz
@@ -91,13 +83,10 @@ fuzz:
 	mkdir -p $(FUZZ)/found
 	$(FUZZ)/fuzz $(FUZZ)/found tests/slow/corpus -seed=1 -max_len=4096 -timeout=30 -rss_limit_mb=4096 \
 	    -max_total_time=$(FUZZ_SECONDS) -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
-$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(JUDGE) $(COMMON)
+$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(filter %/picture_file.o,$(JUDGE)) \
+    $(filter-out $(addprefix $(BUILD)/common/,%_cost.o %_error.o picture.o prediction.o known_light/% sharing/% \
+    experiments/models.o experiments/stability.o experiments/tradeoff.o),$(COMMON))
 	$(call as,LINK $@) $(LINK) -fsanitize=fuzzer -o $@
-
-bench: $(BUILD)/bench
-	$(BUILD)/bench
-$(BUILD)/bench: $(BUILD)/tests/slow/bench.o $(COMMON)
-	$(call as,LINK $@) $(LINK) -o $@
 
 $(BUILD)/belief: $(BUILD)/tests/figures/belief.o $(COMMON)
 	$(call as,LINK $@) $(LINK) -o $@
