@@ -70,7 +70,7 @@ TEST_CASE("a known light is rendered exactly by every method from one direction 
             for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci})
                 for (const std::size_t samples : {1u, 7u, 520u}) {
                     if (samples == 520 && method == Method::direct) continue;  // takes a minute
-                    const PictureSettings settings = known_light(method, samples, 40, placement);
+                    const PictureSettings settings = known_light(method, samples, 20, placement);
                     CHECK(count_inexact(scene, picture(scene, *light, settings), light->prefiltered) == 0);
                 }
 }

@@ -21,9 +21,9 @@ TEST_CASE("the error of an image: root mean square, neighbours' correlation and 
 
 // Of the 200,000 directions 200 meet the sun.
 TEST_CASE("the dense truth agrees with a picture by many directions, also under a sun") {
-    const PictureSettings settings = small(Method::mc, 200000, 30, Placement::fibonacci);
+    const PictureSettings settings = small(Method::mc, 200000, 20, Placement::fibonacci);
     const ImageError error = image_error(render(sphere_scene(), sunny, settings), dense_truth({sunny}, settings, 3000));
-    CHECK(error.rmse < 0.03);
+    CHECK(error.rmse < 0.01);
     CHECK(std::fabs(error.brightness) < 1e-3);
 }
 
