@@ -80,7 +80,7 @@ fuzz:
 	@tests/require_tool libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
 	    BUILD=$(FUZZ) PRECOMPILED=$(FUZZ)/standard.h $(FUZZ)/fuzz
-	mkdir -p $(FUZZ)/found
+	mkdir -p $(FUZZ)/found && cp tests/output/bright.hdr tests/output/directions.txt $(FUZZ)/found
 	$(FUZZ)/fuzz $(FUZZ)/found tests/slow/corpus -seed=1 -max_len=4096 -timeout=30 -rss_limit_mb=4096 \
 	    -max_total_time=$(FUZZ_SECONDS) -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
 $(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(filter %/picture_file.o,$(JUDGE)) \

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 using namespace bmc;
 using portable::pi;
@@ -114,15 +115,11 @@ double residual(const Matrix& a, const Matrix& b) {
 
 void print_refusals(bool factor_is_right) {
     std::printf("# matrix refused_in_row\n");
-    struct {
-        const char* name;
-        double a, b, c;
-    } const all[] = {{"positive", 1, 0.5, 1},
-                     {"negative", -1, 0, 1},
-                     {"indefinite", 1, 2, 1},
-                     {"singular", 1, 1, 1},
-                     {"singular_but_for_rounding", 1, 1, 1 + 2.3e-16}};
-    for (const auto& [name, a, b, c] : all) {
+    for (const auto& [name, a, b, c] : {std::tuple("positive", 1.0, 0.5, 1.0),
+                                        {"negative", -1, 0, 1},
+                                        {"indefinite", 1, 2, 1},
+                                        {"singular", 1, 1, 1},
+                                        {"singular_but_for_rounding", 1, 1, 1 + 2.3e-16}}) {
         Matrix matrix(2, 2);
         matrix(0, 0) = a, matrix(0, 1) = matrix(1, 0) = b, matrix(1, 1) = c;
         try {

@@ -20,15 +20,6 @@ TEST_CASE("a light that reaches no object is refused") {
                          std::invalid_argument);
 }
 
-TEST_CASE("a picture of more than 128 pixels a side has the errors of four seeds" * doctest::test_suite("long")) {
-    PictureSettings settings = small(compared_settings()[2].method, 1, 129);
-    const Truth truth = dense_truth(prefilter(desert), settings, 10000);
-    RootMeanSquare expected;
-    for (settings.seed = 1; settings.seed <= 4; ++settings.seed)
-        expected.add(image_error(render(sphere_scene(), desert, settings), truth).rmse);
-    CHECK(picture_costs(desert, {settings}, {1}, untimed(129))[0].rmse == expected.value());
-}
-
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table tells the samples of Monte Carlo with the same error, and the efficiency relative to it") {
     const std::vector<PictureSettings> compared = compared_settings();
