@@ -27,7 +27,7 @@ $(TESTS) $(if $(PRECOMPILED),$(COMMON)): EXTRA += -include $(HEADERS)
 $(TESTS) $(if $(PRECOMPILED),$(COMMON)): | $(HEADERS).gch
 
 $(TESTS): | doctest
-$(TESTS): EXTRA += -O1
+$(TESTS): EXTRA += -O1 -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS
 doctest:
 	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
 
