@@ -162,8 +162,7 @@ inline std::string law(const std::vector<double>& numbers, const std::vector<dou
                           : " / " + below.substr(3));
 }
 
-// By what all these numbers are explained, or nothing. Words that begin otherwise than with a space or a colon tell of
-// all numbers that were given, not of a part.
+// By what all these numbers are explained, or nothing. Of a part only words that begin with a space or a colon tell.
 inline std::string explanation(const std::vector<double>& given, const std::vector<const Case*>& cases, bool part) {
     for (std::size_t m = 1; m < cases[0]->mistakes.size(); ++m)
         for (std::size_t way = 0, i; way < cases[0]->mistakes[m].values.size(); ++way) {
