@@ -1,21 +1,9 @@
 #include "experiments/picture_cost.h"
-#include "experiments/statistics.h"
 
 #include "test.h"
 
-namespace {
-
-CostSettings untimed(int size) {
-    CostSettings costs;
-    costs.size = size;
-    costs.timed = false;
-    return costs;
-}
-
-}  // namespace
-
 TEST_CASE("a light that reaches no object is refused") {
-    CHECK_THROWS_WITH_AS(picture_costs(even_map(1, 1, 0), compared_settings(), {10}, untimed(2)),
+    CHECK_THROWS_WITH_AS(picture_costs(even_map(1, 1, 0), compared_settings(), {10}, CostSettings()),
                          "the environment lights no object, so there is no error to compare; take another",
                          std::invalid_argument);
 }
