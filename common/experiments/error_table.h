@@ -2,12 +2,9 @@
 // samples.
 #pragma once
 
-#include <cmath>
-#include <string>
-#include <vector>
-
+#include "command_line/options.h"
 #include "experiments/integrands.h"
-#include "options.h"
+#include "experiments/statistics.h"
 
 namespace bmc {
 struct ErrorSettings : ModelSettings {
@@ -15,38 +12,34 @@ struct ErrorSettings : ModelSettings {
     std::size_t mc_estimates = 100, bmc_estimates = 10;
 };
 
-// Mean absolute errors of Monte Carlo and of Bayesian Monte Carlo, and the mean standard error that the latter
-// predicts. Errors below 1e-12 of the truth are rounding and count as 0, so that programs that multiply in another
-// order agree.
+// Absolute errors of Monte Carlo and of Bayesian Monte Carlo, and those that the latter predicts. If the
+// process is refused, it has no errors.
 struct ErrorRow {
     std::size_t samples;
-    double mc_error, bmc_error, bmc_predicted;
+    Statistics mc, bmc, predicted;
+    std::string refusal = {};  // the reason, if the process was refused
 
-    // How many times smaller the error of Bayesian Monte Carlo is.
-    double gain() const {
-        if (bmc_error > 0) return mc_error / bmc_error;
-        return mc_error > 0 ? HUGE_VAL : 1;
-    }
+    // How many times larger the error of Monte Carlo is; nan if one of the two is 0.
+    double gain() const;
 
-    // Samples with which Monte Carlo would have that error: its error falls as 1 / sqrt(n).
+    // The number of random samples with which Monte Carlo has the error of Bayesian Monte Carlo: its error falls as
+    // 1 / sqrt(n).
     double equivalent_mc_samples() const { return static_cast<double>(samples) * gain() * gain(); }
 };
 
-// Every estimate has a fresh set of directions. Estimate e uses the same set in every column, so that columns differ by
+// Every estimate has a fresh set of directions. Estimate e of both methods has the same set, so that columns differ by
 // the method and not by luck.
-std::vector<ErrorRow> error_table(const Integrand& integrand, const ErrorSettings& settings);
+ErrorRow error_row(const Integrand& integrand, std::size_t samples, const ErrorSettings& settings);
 
-std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows);
-
-// The practice's integrand of that name, or all of them if it is empty. Throws UsageError if there is none.
-std::vector<Integrand> integrands_named(const std::string& name);
+// A line for each row; - stands for what has no meaning, such as the equivalent random samples of a lattice.
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
 
 // What the workbench prints without a command: the tables of the practice's integrands.
 struct ErrorTables {
     std::string integrand;  // empty: all
     ErrorSettings settings;
 
-    std::vector<Option> options();
-    std::string report() const;
+    Options options();
+    std::string report() const;  // throws Incomplete if a process is refused
 };
 }  // namespace bmc

@@ -1,4 +1,5 @@
 #include "experiments/integrands.h"
+
 #include "light/desert.h"
 
 #include <numeric>
@@ -6,39 +7,38 @@
 namespace bmc {
 using portable::pi;
 
-double dense_quadrature(const Integrand& integrand) {
-    return apply(monte_carlo_rule({Placement::fibonacci, fibonacci_directions(1 << 18)}), integrand);
+std::vector<Integrand> practice_integrands() {
+    return {{"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi},
+            {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, pi / 2},
+            environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
+            {"constant", "1", [](Vec3) { return 1.0; }, 2 * pi}};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
     const Frame frame(normalize({0.3, 0.6, -0.7}));
     Integrand integrand{"environment", "L(w) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
-    integrand.value = [=](Vec3 direction) {
-        return dot(luminance, light->radiance(frame.to_world(direction))) * direction.y;
-    };
+    integrand.value = [=](Vec3 w) { return dot(luminance, light->radiance(frame.to_world(w))) * w.y; };
     integrand.truth = dense_quadrature(integrand);
     return integrand;
 }
 
-std::vector<Integrand> practice_integrands() {
-    return {{"constant", "1", [](Vec3) { return 1.0; }, 2 * pi},
-            {"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi},
-            {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, pi / 2},
-            environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()))};
+double dense_quadrature(const Integrand& integrand) {
+    return apply(monte_carlo_rule({fibonacci_directions(1 << 18)}), integrand);
 }
 
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> values;
-    for (const Vec3& direction : directions)
-        values.push_back(integrand.value(direction) / known_part(known, direction));
+    values.reserve(directions.size());
+    for (const Vec3& w : directions) values.push_back(integrand.value(w) / known_part(known, w));
     return values;
 }
 
 double apply(const QuadratureRule& rule, const Integrand& integrand) {
-    const auto values = sample(integrand, rule.directions, rule.known);
+    const std::vector<double> values = sample(integrand, rule.directions, rule.known);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 
+// n and e make a random stream of their own.
 DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e) {
     Random random(settings.seed, (std::uint64_t{n} << 32) + e);
     return place_directions(settings.placement, n, random);

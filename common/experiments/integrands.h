@@ -18,12 +18,12 @@ struct Integrand {
     double truth;
 };
 
-// The practice's integrands: 1, cos(theta), cos(theta)^3, and environment_integrand of the built-in light.
+// The practice's integrands: cos(theta), cos(theta)^3, environment_integrand of the built-in light, and 1.
 std::vector<Integrand> practice_integrands();
 
 constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
 
-// The luminance of a light times cos(theta) above a tilted surface; its truth is dense_quadrature.
+// The luminance of a light times cos(theta) above a tilted surface. Its truth is dense_quadrature.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);
 
 // The integral by 2^18 directions on the Fibonacci lattice.

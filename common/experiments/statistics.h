@@ -1,4 +1,4 @@
-// The mean of numbers and how far they scatter, and the root mean square of errors.
+// The mean of numbers and its standard error.
 #pragma once
 
 #include "numerics/portable_math.h"
@@ -18,17 +18,7 @@ struct Statistics {
         squares += difference * (number - mean);
     }
 
-    // Of the mean.
+    // The standard error of the mean; nan for fewer than two numbers.
     double standard_error() const { return std::sqrt(squares / count) / std::sqrt(count - 1); }
-};
-
-struct RootMeanSquare {
-    Statistics squares;
-
-    void add(double error) { squares.add(error * error); }
-    double value() const { return std::sqrt(squares.mean); }
-
-    // That of the mean square, over the derivative of the square.
-    double standard_error() const { return value() > 0 ? squares.standard_error() / (2 * value()) : 0; }
 };
 }  // namespace bmc

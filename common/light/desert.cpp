@@ -1,11 +1,11 @@
 #include "light/desert.h"
 
-#include "light/input.h"
 #include "light/radiance_hdr.h"
 #include "numerics/parallel.h"
 
 #include <cstdint>
-#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
 namespace bmc {
 namespace {
@@ -32,8 +32,7 @@ double lattice(int i, int j) {
     return (h ^ (h >> 15)) * 0x1p-32;
 }
 
-// Smooth noise in [0, 1) with features of size 1. Inline, as others below are, since a loop with a call in it is not
-// vectorised.
+// Smooth noise in [0, 1) with features of size 1.
 inline double noise(double x, double y) {
     const double floor_x = std::floor(x), floor_y = std::floor(y);
     const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
@@ -96,82 +95,69 @@ inline Color mountains(Color behind, Vec3 d, double scale, double height, double
     return mix(behind, paled, edge(skyline(d, scale, height)) * edge(d.y + foot));
 }
 
-constexpr int width = 1024, height = 512;
-
-// A row of texels and the directions in which they are seen: an array per component, to paint neighbours side by side.
+// A row of texels: the directions of their centres, all of one elevation, and their colours.
 struct Row {
-    double x[width], y[width], z[width];
-    double red[width], green[width], blue[width];
+    std::vector<Vec3> directions;
+    std::vector<Color> colors;
 
-    // Lays a layer over what is behind it.
+    // Lays a layer over what is behind it. A loop without a call, so that neighbours are computed side by side.
     template <class Layer>
     void paint(Layer layer) {
-        for (int i = 0; i < width; ++i) {
-            const Color c = layer(Color{red[i], green[i], blue[i]}, Vec3{x[i], y[i], z[i]});
-            red[i] = c.x;
-            green[i] = c.y;
-            blue[i] = c.z;
-        }
+        for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = layer(colors[i], directions[i]);
     }
 };
 
 // All layers, but for those that cannot be seen at this elevation.
-void paint(Row& row, double y) {
-    const double above = edge(y);
+void desert(Row& row) {
+    const double y = row.directions[0].y, above = edge(y);
     if (above < 1) row.paint([](Color, Vec3 d) { return ground(d); });
-    if (above == 1) row.paint([](Color, Vec3 d) { return sky(d); });
+    if (above > 0) row.paint([above](Color behind, Vec3 d) { return mix(behind, sky(d), above); });
     if (y > 0.5 || y < -0.1) return;
-    if (above > 0 && above < 1) row.paint([](Color behind, Vec3 d) { return mix(behind, sky(d), edge(d.y)); });
     if (y < 0.14) row.paint([](Color behind, Vec3 d) { return mountains(behind, d, 3, 0.13, 0, 3, 0.62); });
     if (y < 0.09) row.paint([](Color behind, Vec3 d) { return mountains(behind, d, 5, 0.08, 0.01, 2, 0.35); });
     row.paint(arch);
+    row.paint([](Color c, Vec3) { return Color{clamp01(c.x), clamp01(c.y), clamp01(c.z)}; });
 }
 
-// sunlight: how many times as bright as in the desert the sun is, at least 1.
-EnvironmentMap desert(double sunlight, unsigned threads) {
+void bright_desert(Row& row) {
+    desert(row);
+    row.paint([](Color behind, Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * behind; });
+}
+
+void black_and_white(Row& row) {
+    row.paint([](Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; });
+}
+
+EnvironmentMap painted(void (*paint)(Row&), unsigned threads) {
+    constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
     EnvironmentMap map(width, height);
     for_each_row(height, threads, [&](int j) {
-        Row row;
+        Row row{{}, std::vector<Color>(width)};
         const portable::SineCosine polar = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
-        for (std::size_t i = 0; i < width; ++i) {
-            row.x[i] = polar.sine * azimuths[i].sine;
-            row.y[i] = polar.cosine;
-            row.z[i] = -polar.sine * azimuths[i].cosine;
-        }
-        paint(row, polar.cosine);
-        for (int i = 0; i < width; ++i) {
-            const double to_sun = sunlight > 1 ? 0.5 + 0.5 * dot({row.x[i], row.y[i], row.z[i]}, sun) : 0;
-            const double brightness = 1 + (sunlight - 1) * sun_disc(to_sun);
-            map.set(i, j, brightness * Color{clamp01(row.red[i]), clamp01(row.green[i]), clamp01(row.blue[i])});
-        }
+        for (const portable::SineCosine& azimuth : azimuths)
+            row.directions.push_back({polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine});
+        paint(row);
+        for (int i = 0; i < width; ++i) map.set(i, j, row.colors[static_cast<std::size_t>(i)]);
     });
-    return map;
-}
-
-EnvironmentMap black_and_white() {
-    EnvironmentMap map(width, height);
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-            const double x = portable::sincos_turns((i + 0.5) / (width - 1) - 0.5).sine;
-            std::fill_n(map.row(j) + 3 * i, 3, x > 0 ? 1.0f : 0.0f);
-        }
     return map;
 }
 
 }  // namespace
 
 EnvironmentMap load_environment(const std::string& name, unsigned threads) {
-    if (name == built_in_lights[0]) return desert(1, threads);
-    if (name == built_in_lights[1]) return desert(1000, threads);
-    if (name == built_in_lights[2]) return black_and_white();
-    EnvironmentMap map(1, 1);
-    if (std::error_code none; name != "-" && !std::filesystem::exists(name, none))
-        throw std::runtime_error(name + ": no file has this name, and no built-in light: they are " +
-                                 built_in_lights[0] + ", " + built_in_lights[1] + ", " + built_in_lights[2]);
-    read_input(name, [&](std::istream& in) { map = read_radiance_hdr(in); });
-    map.name = name;
-    return map;
+    if (name == built_in_lights[0]) return painted(desert, threads);
+    if (name == built_in_lights[1]) return painted(bright_desert, threads);
+    if (name == built_in_lights[2]) return painted(black_and_white, threads);
+    std::ifstream file(name, std::ios::binary);
+    if (!file)
+        throw std::runtime_error(name + ": no file that can be read has this name, and no built-in light: they are " +
+                                 built_in_lights[0] + ", " + built_in_lights[1] + " and " + built_in_lights[2]);
+    try {
+        return read_radiance_hdr(file);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(name + ": " + error.what());
+    }
 }
 }  // namespace bmc

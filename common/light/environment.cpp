@@ -8,7 +8,7 @@
 
 namespace bmc {
 EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
-    : grid_(width, height), rgb_(std::move(rgb)) {
+    : grid_{width, height}, rgb_(std::move(rgb)) {
     const std::int64_t texels = std::int64_t{width} * height;
     if (width < 1 || height < 1 || texels > max_texels || rgb_.size() != static_cast<std::size_t>(3 * texels))
         throw std::invalid_argument(
@@ -17,22 +17,21 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
     for (const float radiance : rgb_)
         if (!(radiance >= 0 && radiance <= FLT_MAX))
             throw std::invalid_argument(formatted("environment map: %.9g is not a finite radiance >= 0", radiance));
-    rgb_.resize(rgb_.size() + padding);
+    rgb_.insert(rgb_.begin(), 3, 0);  // texel 0
 }
 
 EnvironmentMap::EnvironmentMap(int width, int height)
-    : grid_(width, height), rgb_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + padding) {}
+    : grid_{width, height}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 // The last column and the last row have no width. They count only in a map that has no other.
 Color EnvironmentMap::interpolated_radiance(Vec3 direction) const {
     const int columns = std::max(width() - 1, 1), last_row = std::max(height() - 2, 0);
-    const double u = grid_.column_coordinate(direction.x, direction.z) - 0.5,
-                 v = grid_.row_coordinate(direction.y) - 0.5;
+    const double u = grid_.column(direction.x, direction.z) - 0.5, v = grid_.row(direction.y) - 0.5;
     const double s = u - std::floor(u), t = v - std::floor(v);
     const int left = static_cast<int>(std::floor(u)) + columns, above = static_cast<int>(std::floor(v));
     const auto row = [&](int y) {
-        const int begin = std::clamp(y, 0, last_row) * width();
-        return (1 - s) * texel(begin + left % columns) + s * texel(begin + (left + 1) % columns);
+        const int clamped = std::clamp(y, 0, last_row);
+        return (1 - s) * texel(texel_at(left % columns, clamped)) + s * texel(texel_at((left + 1) % columns, clamped));
     };
     return (1 - t) * row(above) + t * row(above + 1);
 }

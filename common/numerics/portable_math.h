@@ -23,9 +23,11 @@
 #endif  // UNGUARDED_ARITHMETIC
 
 #include <cfloat>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #ifndef UNGUARDED_ARITHMETIC
 static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-bit x86 use -msse2 -mfpmath=sse");
@@ -35,11 +37,11 @@ namespace bmc::portable {
 
 constexpr double pi = 3.14159265358979323846;
 
-// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule, in the precision of x.
-template <class Real, std::size_t N>
-Real polynomial(const double (&c)[N], Real x) {
-    Real sum = Real(c[N - 1]);
-    for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + Real(c[i]);
+// c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
+template <std::size_t N>
+inline double polynomial(const double (&c)[N], double x) {
+    double sum = c[N - 1];
+    for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + c[i];
     return sum;
 }
 
@@ -70,5 +72,29 @@ struct SineCosine {
     double sine, cosine;
 };
 SineCosine sincos_turns(double turns);
+
+// acos(y), without a branch, by Abramowitz & Stegun, Handbook of Mathematical Functions (1964),
+// 4.4.46: acos(a) = sqrt(1 - a) P7(a) on [0, 1], and acos(-a) = pi - acos(a). Error at most 2.3e-8.
+inline double arccosine(double y) {
+    constexpr double c[] = {1.5707963050, -0.2145988016, 0.0889789874, -0.0501743046,
+                            0.0308918810, -0.0170881256, 0.0066700901, -0.0012624911};
+    const double a = std::fabs(y);
+    const double from_pole = std::sqrt(a < 1 ? 1 - a : 0) * polynomial(c, a);
+    return y < 0 ? pi - from_pole : from_pole;
+}
+
+// atan2(x, -z) by Abramowitz & Stegun 4.4.49, atan(t) = t P8(t^2) on [0, 1], and the symmetries of the octants.
+// The smallest normal number in the denominator gives straight up and straight down the azimuth 0.
+inline double azimuth(double x, double z) {
+    constexpr double c[] = {1.0000000000,  -0.3333314528, 0.1999355085,  -0.1420889944, 0.1065626393,
+                            -0.0752896400, 0.0429096138,  -0.0161657367, 0.0028662257};
+    const double across = std::fabs(x), along = std::fabs(z);
+    const double longer = across > along ? across : along;
+    const double t = (across > along ? along : across) / (longer > DBL_MIN ? longer : DBL_MIN);
+    const double octant = t * polynomial(c, t * t);
+    const double quadrant = across > along ? pi / 2 - octant : octant;
+    const double half = z > 0 ? pi - quadrant : quadrant;
+    return x < 0 ? -half : half;
+}
 
 }  // namespace bmc::portable

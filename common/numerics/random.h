@@ -1,5 +1,5 @@
 // A stream of pseudo-random numbers that is the same everywhere: SplitMix64 (Steele, Lea & Flood, "Fast splittable
-// pseudorandom number generators", OOPSLA 2014). One seed has 2^64 streams, so that every pixel owns its own. Draw into
+// pseudorandom number generators", OOPSLA 2014). One seed has 2^64 streams, so that every pixel has one. Draw into
 // named variables: two draws as arguments of one call happen in an order that the compiler chooses.
 #pragma once
 

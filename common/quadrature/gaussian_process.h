@@ -1,13 +1,11 @@
-// A Gaussian process over the hemisphere, and the Bayesian Monte Carlo estimate of an integral
-// (Rasmussen & Ghahramani, "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
+// A Gaussian process over the hemisphere, and the Bayesian Monte Carlo estimate of an integral (Rasmussen & Ghahramani,
+// "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
 //     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f p over H ~ sum of weights_i f(w_i),
-// where p is the known part of the integrand: 1 as in the practice, or cos(theta).
-//
-// The prior mean is zero. Q, z and the weights depend on the directions alone, not on f. So a process is made once, for
-// any number of integrals and threads.
+// where p is the known part of the integrand: 1 as in the practice, or cos(theta). The prior mean of f is zero. Q, z
+// and the weights depend on the directions alone, not on f: one process serves any number of integrals and threads.
 #pragma once
 
-#include "numerics/cholesky.h"
+#include "linear_algebra/cholesky.h"
 #include "numerics/vec3.h"
 #include "quadrature/covariance.h"
 
@@ -16,9 +14,10 @@
 namespace bmc {
 class GaussianProcess {
 public:
-    // n >= 1 unit directions in the upper hemisphere. noise >= 0: standard deviation of the samples' error over the
-    // amplitude; it keeps Q positive definite where samples nearly coincide. Throws std::invalid_argument for other
-    // arguments and for a known part for which the covariance has no closed form; NotPositiveDefinite.
+    // n >= 1 unit directions in H. noise >= 0: the standard deviation of the samples' error, in units of the amplitude
+    // of f (below). Its square is added to the diagonal of Q, so that two equal directions do not make Q singular.
+    // Throws std::invalid_argument for any other argument, also for a known part without a closed form, and
+    // NotPositiveDefinite if Q cannot be factored.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                     Known known = Known::nothing);
 
@@ -27,30 +26,26 @@ public:
     // z_j, the integral over H of k(w_j, w) p(w) dw.
     const std::vector<double>& z() const { return z_; }
 
-    // Q^-1 z by two triangular solves.
+    // Q^-1 z, by two triangular solves.
     const std::vector<double>& weights() const { return weights_; }
 
     const Cholesky& cholesky() const { return cholesky_; }
 
-    // Q^-1, n x n; an estimate does not need it.
+    // Q^-1, n x n. An estimate does not need it.
     Matrix inverse_covariance() const { return cholesky_.inverse(); }
 
-    // The estimate of the integral of f p over H; values[i] = f(directions()[i]), n of them in all these functions.
+    // The estimate of the integral of f p over H. Here and below values[i] = f(directions()[i]), n of them.
     double integral(const std::vector<double>& values) const;
 
-    // Posterior variance of the integral for a process of amplitude 1: zz - z^T Q^-1 z, not below 0.
+    // V = zz - z^T Q^-1 z >= 0, the posterior variance of the integral for an f of amplitude 1.
     double variance() const { return variance_; }
 
-    // The amplitude a of k that makes the values most likely, a^2 = Y^T Q^-1 Y / n.
+    // The amplitude a of f, the typical size of its values. With a^2 k in place of k and a times the noise, the weights
+    // stay, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n.
     double amplitude(const std::vector<double>& values) const;
 
-    // Standard error that the process predicts for integral(values): amplitude * sqrt(variance).
+    // The standard error that the process predicts for integral(values): a sqrt(V).
     double standard_error(const std::vector<double>& values) const;
-
-    // Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
-    // (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8). Compare processes with one
-    // known part only.
-    double log_evidence(const std::vector<double>& values) const;
 
 private:
     void require_one_value_per_direction(const std::vector<double>& values) const;
@@ -62,10 +57,10 @@ private:
     double variance_;
 };
 
-// z of each direction. Throws std::invalid_argument for one below the horizon.
+// z of each direction. Throws std::invalid_argument for a direction below the horizon.
 std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions,
                          Known known = Known::nothing);
 
-// Q, n x n, its upper triangle only: what Cholesky reads.
+// Q, n x n and symmetric.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);
 }  // namespace bmc

@@ -3,13 +3,14 @@
 namespace bmc {
 namespace {
 
+// sincos_turns(t) has the sine and cosine of t full turns, 2 pi t. The azimuth is 0 at +z, and a quarter turn at +x.
 Vec3 direction_at(double cos_theta, double turns) {
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
 
-// The elevation cosine by a number that is uniform in (0, 1].
+// The elevation cosine from a number u that is uniform in (0, 1].
 double elevation(double u, bool by_cosine) { return by_cosine ? std::sqrt(u) : u; }
 
 std::vector<Vec3> random_directions(std::size_t n, Random& random, bool by_cosine) {
@@ -40,10 +41,12 @@ std::vector<Vec3> fibonacci_directions(std::size_t n) { return lattice_direction
 std::vector<Vec3> cosine_directions(std::size_t n, Random& random) { return random_directions(n, random, true); }
 std::vector<Vec3> cosine_fibonacci_directions(std::size_t n) { return lattice_directions(n, true); }
 
+// BEGIN SOLUTION rotate
 Vec3 rotate_around_y(Vec3 direction, double turns) {
     const auto [sine, cosine] = portable::sincos_turns(turns);
     return {cosine * direction.x + sine * direction.z, direction.y, cosine * direction.z - sine * direction.x};
 }
+// END SOLUTION
 
 Frame::Frame(Vec3 unit_normal) : normal(unit_normal) {
     const double sign = normal.z < 0 ? -1 : 1;
@@ -52,6 +55,8 @@ Frame::Frame(Vec3 unit_normal) : normal(unit_normal) {
     bitangent = {1 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
 }
 
+// BEGIN SOLUTION rotate
+// to_world is linear: turning a local direction about y turns the axes that its x and z are multiplied by.
 Frame Frame::rotated(double turns) const {
     const auto [sine, cosine] = portable::sincos_turns(turns);
     Frame frame = *this;
@@ -59,4 +64,5 @@ Frame Frame::rotated(double turns) const {
     frame.bitangent = sine * tangent + cosine * bitangent;
     return frame;
 }
+// END SOLUTION
 }  // namespace bmc

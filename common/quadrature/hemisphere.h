@@ -1,5 +1,5 @@
 // Directions in the unit hemisphere H around the up axis y, and frames that carry them to a surface. Integrals are with
-// respect to solid angle. A direction's elevation cosine is its y component, cos(theta).
+// respect to solid angle. A direction's elevation cosine, cos(theta), is its y.
 #pragma once
 
 #include "numerics/random.h"
@@ -21,26 +21,24 @@ std::vector<Vec3> fibonacci_directions(std::size_t n);
 // n independent directions with density cos(theta) / pi w.r.t. solid angle: elevation cosine sqrt(u) (Malley's method).
 std::vector<Vec3> cosine_directions(std::size_t n, Random& random);
 
-// The Fibonacci lattice with the elevation cosines sqrt(1 - (i + 1/2) / n): it follows the density cos(theta) / pi.
+// The Fibonacci lattice with the elevation cosines sqrt(1 - (i + 1/2) / n): its density is cos(theta) / pi.
 std::vector<Vec3> cosine_fibonacci_directions(std::size_t n);
 
-// The direction turned about the up axis by an angle in turns, from z towards x.
+// The direction turned about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);
 
 // A right-handed orthonormal basis whose up axis is a surface normal: to_world carries (0, 1, 0) to the normal.
 struct Frame {
     Vec3 tangent, normal, bitangent;
 
-    // The frame of a unit normal; continuous but for one seam, and with no singular direction (Duff, Burgess,
-    // Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis, revisited", JCGT 2017).
+    // The frame of a unit normal. It is continuous except where normal.z changes its sign. The formulas are the
+    // paper's, and dot products show that they are right (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin,
+    // "Building an orthonormal basis, revisited", JCGT 2017).
     explicit Frame(Vec3 unit_normal);
 
     // The frame whose to_world(v) is this frame's to_world(rotate_around_y(v, turns)).
     [[nodiscard]] Frame rotated(double turns) const;
 
     Vec3 to_world(Vec3 local) const { return local.x * tangent + local.y * normal + local.z * bitangent; }
-    Direction to_world(Direction local) const {
-        return local.x * Direction(tangent) + local.y * Direction(normal) + local.z * Direction(bitangent);
-    }
 };
 }  // namespace bmc

@@ -1,23 +1,56 @@
 #include "quadrature/quadrature.h"
 
+#include <cmath>
+#include <stdexcept>
+
 namespace bmc {
-DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
-    if (placement == Placement::uniform) return {placement, uniform_directions(n, random)};
-    if (placement == Placement::cosine) return {placement, cosine_directions(n, random)};
-    std::vector<Vec3> directions =
-        placement == Placement::fibonacci ? fibonacci_directions(n) : cosine_fibonacci_directions(n);
+namespace {
+
+DirectionSet turned(DirectionSet set, Random& random) {
     const double turns = random.uniform();
-    for (Vec3& direction : directions) direction = rotate_around_y(direction, turns);
-    return {placement, std::move(directions)};
+    for (Vec3& direction : set.directions) direction = rotate_around_y(direction, turns);
+    return set;
+}
+
+}  // namespace
+
+double relative_weight_sum(const QuadratureRule& rule) {
+    double sum = 0;
+    for (const double weight : rule.weights) sum += weight;
+    return sum / known_integral(rule.known);
+}
+
+double stability_constant(const QuadratureRule& rule) {
+    double sum = 0;
+    for (const double weight : rule.weights) sum += std::fabs(weight);
+    return sum / known_integral(rule.known);
+}
+
+bool is_lattice(Placement placement) {
+    switch (placement) {
+        case Placement::uniform:
+        case Placement::cosine: return false;
+        case Placement::fibonacci:
+        case Placement::cosine_fibonacci: return true;
+    }
+    return false;
+}
+
+DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
+    switch (placement) {
+        case Placement::uniform: return {uniform_directions(n, random), Known::nothing};
+        case Placement::cosine: return {cosine_directions(n, random), Known::cosine};
+        case Placement::fibonacci: return turned({fibonacci_directions(n), Known::nothing}, random);
+        case Placement::cosine_fibonacci: return turned({cosine_fibonacci_directions(n), Known::cosine}, random);
+    }
+    throw std::logic_error("a placement without directions");
 }
 
 // BEGIN SOLUTION montecarlo
-// Uniform directions have the density 1 / 2 pi, those distributed by the cosine cos(theta) / pi.
 QuadratureRule monte_carlo_rule(DirectionSet set) {
-    const bool cosine = set.placement == Placement::cosine || set.placement == Placement::cosine_fibonacci;
-    const double n = static_cast<double>(set.directions.size());
-    std::vector<double> weights(set.directions.size(), (cosine ? portable::pi : 2 * portable::pi) / n);
-    return {std::move(set.directions), std::move(weights), cosine ? Known::cosine : Known::nothing};
+    const std::size_t n = set.directions.size();
+    const double weight = known_integral(set.density) / static_cast<double>(n);
+    return {std::move(set.directions), std::vector<double>(n, weight), set.density};
 }
 // END SOLUTION
 

@@ -1,25 +1,36 @@
-// Quadrature rules over the hemisphere: what Monte Carlo and Bayesian Monte Carlo have in common. To apply a rule, one
-// need not know where its weights come from.
+// Quadrature rules over the hemisphere H: what Monte Carlo and Bayesian Monte Carlo have in common. Whoever applies a
+// rule need not know where its weights come from.
 #pragma once
 
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
-// known part: 1, or cos(theta). Rotating the directions about the up axis gives a rule of the same quality.
+// known part: 1, or cos(theta). Turning the directions about the up axis gives a rule that is as good.
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;
     Known known = Known::nothing;
+
+    std::size_t size() const { return weights.size(); }
 };
 
-// p(direction).
-inline double known_part(Known known, Vec3 direction) { return known == Known::nothing ? 1 : direction.y; }
+// p(direction), and the integral of p over H.
+inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
+inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
+
+// The sum of the weights over the integral of p: 1 for a rule that is exact for constants.
+double relative_weight_sum(const QuadratureRule& rule);
+
+// S, the sum of |weights| over the integral of p. If no sample errs by more than e, the estimate errs by at most e S
+// times the integral of p. Monte Carlo has S = 1. Above 2, weights of both signs cancel, and pictures get worse than
+// Monte Carlo's (Karvonen, Kanagawa & Sarkka, "On the positivity and magnitudes of Bayesian quadrature weights",
+// Statistics and Computing 2019).
+double stability_constant(const QuadratureRule& rule);
 
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.
@@ -29,39 +40,40 @@ constexpr std::pair<const char*, Placement> placement_names[] = {{"uniform", Pla
                                                                  {"cosine", Placement::cosine},
                                                                  {"cosine-fibonacci", Placement::cosine_fibonacci}};
 
-inline bool is_lattice(Placement placement) {
-    return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
-}
+// A lattice has the same directions each time, but for a turn about the up axis.
+bool is_lattice(Placement placement);
 
+// Directions, and the known part that their density is proportional to.
 struct DirectionSet {
-    Placement placement;
     std::vector<Vec3> directions;
+    Known density = Known::nothing;
 };
 
 // A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
 
-// Monte Carlo: all weights are equal. Directions with density cos(theta) / pi have cos(theta) as the known part: that
-// is importance sampling of f cos(theta). On a lattice it is quasi-Monte Carlo.
+// Monte Carlo: equal weights. For the density 1 / 2 pi they are 2 pi / n. For the density cos(theta) / pi, the estimate
+// of the integral of f cos(theta) is the mean of f cos(theta) / density = pi f. So the weights are pi / n, and the
+// known part is cos(theta) (importance sampling). On a lattice this is quasi-Monte Carlo.
 QuadratureRule monte_carlo_rule(DirectionSet set);
 
-// Bayesian Monte Carlo: the weights of a GaussianProcess; throws as it does.
+// Bayesian Monte Carlo: the weights of a GaussianProcess. Throws as it does.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                              Known known = Known::nothing);
 
 // Settings of a rule, except its number of directions.
 struct ModelSettings {
     CovarianceFamily covariance = CovarianceFamily::sobolev;
-    double smoothness = 1.5;  // of the family sobolev
-    double length_scale = 1;  // of the other
+    double smoothness = 1.5;  // of sobolev
+    double length_scale = 1;  // of any other family
     double noise = 0.01;
     Known known = Known::nothing;
     Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 
     // Throws std::invalid_argument as the covariance's constructor does.
-    std::unique_ptr<Covariance> make_covariance() const {
-        return bmc::make_covariance(covariance, covariance == CovarianceFamily::sobolev ? smoothness : length_scale);
+    Covariance make_covariance() const {
+        return Covariance(covariance, covariance == CovarianceFamily::sobolev ? smoothness : length_scale);
     }
 };
 }  // namespace bmc

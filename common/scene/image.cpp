@@ -2,16 +2,16 @@
 
 #include "numerics/formatted.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 
 namespace bmc {
 namespace {
 
 // The bytes of linear values. Byte k begins at threshold k, where the transfer function is (k - 1/2) / 255. It is
-// nowhere steeper than 12.92, so thresholds are at least 1 / 3295 apart, and in a step of 1 / 4096 there is one at
-// most: the byte where the step begins and one comparison decide.
+// nowhere steeper than 12.92, so a step of 1 / 4096 holds at most one threshold: the byte where the step begins and one
+// comparison decide.
 class SrgbEncoder {
 public:
     SrgbEncoder() {
@@ -25,7 +25,7 @@ public:
     }
 
     char byte(double linear) const {
-        const double v = linear > 0 ? std::min(linear, 1.0) : 0;  // 0 for nan, too
+        const double v = linear > 0 ? (linear < 1 ? linear : 1) : 0;  // 0 for nan, too
         const std::size_t first = first_[static_cast<std::size_t>(v * steps)];
         return static_cast<char>(static_cast<unsigned char>(first + (v >= thresholds_[first + 1])));
     }
@@ -36,28 +36,35 @@ private:
     std::array<unsigned char, steps + 1> first_{};
 };
 
-}  // namespace
-
-Image::Image(int width, int height)
-    : width_(width), height_(height), rgb_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-
-double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : portable::pow((code + 0.055) / 1.055, 2.4); }
-
 std::string to_ppm(const Image& image) {
     const SrgbEncoder encoder;
-    std::string bytes = formatted("P6\n%d %d\n255\n", image.width(), image.height());
-    bytes.reserve(bytes.size() + image.rgb().size());
-    for (const float linear : image.rgb()) bytes += encoder.byte(linear);
+    std::string bytes = formatted("P6\n%d %d\n255\n", image.width, image.height);
+    bytes.reserve(bytes.size() + 3 * image.pixels.size());
+    for (const Color& pixel : image.pixels)
+        for (const double channel : {pixel.x, pixel.y, pixel.z}) bytes += encoder.byte(channel);
     return bytes;
 }
 
 std::string to_pfm(const Image& image) {
-    std::string bytes = formatted("PF\n%d %d\n-1.0\n", image.width(), image.height());
-    for (int y = image.height(); y-- > 0;)
-        for (int i = 3 * y * image.width(); i < 3 * (y + 1) * image.width(); ++i) {
-            const auto bits = portable::bit_cast<std::uint32_t>(image.rgb()[static_cast<std::size_t>(i)]);
-            for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
-        }
+    std::string bytes = formatted("PF\n%d %d\n-1.0\n", image.width, image.height);
+    for (int y = image.height; y-- > 0;)
+        for (int x = 0; x < image.width; ++x)
+            for (const double channel : {image(x, y).x, image(x, y).y, image(x, y).z}) {
+                const auto bits = portable::bit_cast<std::uint32_t>(static_cast<float>(channel));
+                for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
+            }
     return bytes;
+}
+
+}  // namespace
+
+double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : portable::pow((code + 0.055) / 1.055, 2.4); }
+
+std::string to_file(const Image& image, Format format) {
+    switch (format) {
+        case Format::ppm: return to_ppm(image);
+        case Format::pfm: return to_pfm(image);
+    }
+    throw std::logic_error("a format without a file");
 }
 }  // namespace bmc

@@ -1,77 +1,91 @@
 #include "scene/pixel_rules.h"
 
+#include <stdexcept>
+
 namespace bmc {
-namespace {
-
-// How many rules pixels share.
-std::size_t shared_count(const RenderSettings& settings) {
-    if (settings.method == Method::pool) return settings.pool;
-    if (settings.method == Method::mc) return is_lattice(settings.placement) ? 1 : 0;
-    return settings.method == Method::direct ? 0 : 1;
-}
-
-}  // namespace
-
 Random pixel_stream(const RenderSettings& settings, int x, int y) {
     return {settings.seed,
             static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
 }
 
-PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), covariance_(settings.make_covariance()) {
-    constexpr std::uint64_t first_stream = std::uint64_t{1} << 63;
-    for (std::size_t i = 0; i < shared_count(settings); ++i) {
-        Random random(settings.seed, first_stream + i);
-        rules_.push_back(fresh_rule(random));
+namespace {
+
+// The stream of shared rule i; pixels have the streams from 0.
+Random rule_stream(const RenderSettings& settings, std::size_t i) {
+    return {settings.seed, (std::uint64_t{1} << 63) + i};
+}
+
+// How many rules pixels share.
+std::size_t shared_count(const RenderSettings& settings) {
+    switch (settings.method) {
+        case Method::mc: return is_lattice(settings.placement) ? 1 : 0;
+        case Method::direct: return 0;
+        case Method::single:
+        case Method::rotated: return 1;
+        case Method::pool: return settings.pool;
     }
-    for (const CosineRule& rule : rules_) shared_rules_.emplace_back(std::shared_ptr<void>(), &rule);
+    throw std::logic_error("a method without rules");
 }
 
-CosineRule PixelRules::fresh_rule(Random& random) const {
+}  // namespace
+
+PixelRules::PixelRules(const RenderSettings& settings)
+    : settings_(settings), covariance_(settings.make_covariance()), shared_(shared_rules()) {
+    std::vector<QuadratureRule> examined = shared_;
+    if (examined.empty()) {
+        Random random = rule_stream(settings, 0);
+        examined.push_back(fresh_rule(random));
+    }
+    for (const QuadratureRule& rule : examined) {
+        stability_ += stability_constant(rule) / static_cast<double>(examined.size());
+        weight_sum_ += relative_weight_sum(rule) / static_cast<double>(examined.size());
+    }
+    for (QuadratureRule& rule : shared_) rule = cosine_rule(std::move(rule));
+}
+
+// BEGIN SOLUTION shared_rules
+// Made once, before the first pixel: the costly part of a process does not depend on the pixel.
+std::vector<QuadratureRule> PixelRules::shared_rules() const {
+    std::vector<QuadratureRule> rules;
+    for (std::size_t i = 0; i < shared_count(settings_); ++i) {
+        Random random = rule_stream(settings_, i);
+        rules.push_back(fresh_rule(random));
+    }
+    return rules;
+}
+// END SOLUTION
+
+QuadratureRule PixelRules::fresh_rule(Random& random) const {
     DirectionSet set = place_directions(settings_.placement, settings_.samples, random);
-    return cosine_rule(settings_.method == Method::mc
-                           ? monte_carlo_rule(std::move(set))
-                           : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions), settings_.known));
+    if (settings_.method == Method::mc) return monte_carlo_rule(std::move(set));
+    return bayesian_rule(covariance_, settings_.noise, std::move(set.directions), settings_.known);
 }
-
-// BEGIN SOLUTION direct
-// A Gaussian process for every integral, on fresh directions from the pixel's random numbers.
-PlacedRule PixelRules::direct(Vec3 normal, Random& random) const {
-    const auto rule = std::make_shared<const CosineRule>(fresh_rule(random));
-    return {rule, Frame(normal)};
-}
-// END SOLUTION
-
-// BEGIN SOLUTION single
-// One process for the whole image, shared_rules_[0], its up axis aligned with the normal.
-PlacedRule PixelRules::single(Vec3 normal) const {
-    const Frame aligned(normal);
-    return {shared_rules_[0], aligned};
-}
-// END SOLUTION
-
-// BEGIN SOLUTION rotated
-// The same, but turned about its up axis by the pixel's own random angle before it is aligned with the normal.
-PlacedRule PixelRules::rotated(Vec3 normal, double turns) const {
-    const Frame turned = Frame(normal).rotated(turns);
-    return {shared_rules_[0], turned};
-}
-// END SOLUTION
-
-// BEGIN SOLUTION pool
-// A random one of several processes, shared_rules_, turned like the one; u is uniform in [0, 1).
-PlacedRule PixelRules::pool(Vec3 normal, double u, double turns) const {
-    const auto choice = static_cast<std::size_t>(u * static_cast<double>(shared_rules_.size()));
-    const Frame turned = Frame(normal).rotated(turns);
-    return {shared_rules_[choice], turned};
-}
-// END SOLUTION
 
 PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
-    if (settings_.method == Method::direct) return direct(normal, random);
-    if (settings_.method == Method::single) return single(normal);
-    if (shared_rules_.empty()) return direct(normal, random);
-    const double u = random.uniform();
-    const double turns = random.uniform();
-    return settings_.method == Method::pool ? pool(normal, u, turns) : rotated(normal, turns);
+    const Frame frame(normal);
+    switch (settings_.method) {
+        case Method::mc:
+            if (shared_.empty()) return {frame, cosine_rule(fresh_rule(random))};
+            return {frame.rotated(random.uniform()), {}, &shared_[0]};
+        case Method::direct:
+            // BEGIN SOLUTION rule_for
+            return {frame, cosine_rule(fresh_rule(random))};
+            // END SOLUTION
+        case Method::single:
+            // BEGIN SOLUTION rule_for
+            return {frame, {}, &shared_[0]};
+            // END SOLUTION
+        case Method::rotated:
+            // BEGIN SOLUTION rule_for
+            return {frame.rotated(random.uniform()), {}, &shared_[0]};
+            // END SOLUTION
+        case Method::pool:
+            // BEGIN SOLUTION rule_for
+            const double u = random.uniform();  // chooses the rule; the next one turns it
+            const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared_.size()));
+            return {frame.rotated(random.uniform()), {}, &shared_[chosen]};
+            // END SOLUTION
+    }
+    throw std::logic_error("a method without a rule");
 }
 }  // namespace bmc

@@ -1,10 +1,11 @@
-// Which quadrature rule a pixel has. A method is a way to give each pixel its rule. Brouillat, Bouville, Loos, Hansen &
+// Which quadrature rule a pixel has: a method is a way to give each pixel its rule. Brouillat, Bouville, Loos, Hansen &
 // Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009), share rules
-// between pixels, as the last three here do.
+// between pixels, as the last three methods do.
 #pragma once
 
-#include "numerics/parallel.h"
 #include "scene/reflection.h"
+
+#include <optional>
 
 namespace bmc {
 enum class Method {
@@ -12,7 +13,7 @@ enum class Method {
     direct,   // a fresh Gaussian process on fresh directions for every pixel
     single,   // one Gaussian process for the whole image
     rotated,  // the same, its directions turned at random about the normal in every pixel
-    pool      // a random one of several Gaussian processes, turned at random
+    pool      // one of several Gaussian processes, chosen and turned at random
 };
 constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
                                                            {"direct", Method::direct},
@@ -25,41 +26,49 @@ struct RenderSettings : ModelSettings {
     std::size_t samples = 40;  // directions per pixel
     std::size_t pool = 20;     // Gaussian processes in the pool
     int width = 500, height = 500;
-    unsigned threads = 1;         // changes no bit of the image
-    Progress progress = nullptr;  // called with the fraction of its rows that is done
+    unsigned threads = 1;  // changes no bit of the image
 };
 
-// Every pixel draws from a stream of its own.
+// The random stream of a pixel: no two pixels share one.
 Random pixel_stream(const RenderSettings& settings, int x, int y);
 
-// A rule and the frame that carries it to the surface.
+// The rule of a pixel, made for it alone or shared, and the frame that carries it to the surface.
 struct PlacedRule {
-    std::shared_ptr<const CosineRule> rule;
     Frame frame;
+    std::optional<QuadratureRule> own;
+    const QuadratureRule* shared = nullptr;
+
+    const QuadratureRule& rule() const { return own ? *own : *shared; }
 };
 
 class PixelRules {
 public:
-    // Makes the rules that pixels share: rule i on directions from the random stream 2^63 + i, since pixels have the
-    // streams from 0. Throws what the Gaussian processes throw.
+    // Throws what the Gaussian processes throw.
     explicit PixelRules(const RenderSettings& settings);
 
-    const std::vector<CosineRule>& shared() const { return rules_; }
+    const RenderSettings& settings() const { return settings_; }
 
-    // The rule of a pixel, from its stream of random numbers. It must not outlive this.
+    // The rules that pixels share, with the known part cos(theta).
+    const std::vector<QuadratureRule>& shared() const { return shared_; }
+
+    // The means of stability_constant and relative_weight_sum over the shared rules, before cos(theta) goes into their
+    // weights. Where pixels share no rule, those of one fresh rule.
+    double stability() const { return stability_; }
+    double weight_sum() const { return weight_sum_; }
+
+    // A rule on fresh directions, of Monte Carlo or of a Gaussian process.
+    QuadratureRule fresh_rule(Random& random) const;
+
+    // The rule of a pixel, with the known part cos(theta), from the pixel's random stream. It may point into this
+    // object.
     PlacedRule rule_for(Vec3 normal, Random& random) const;
 
 private:
-    CosineRule fresh_rule(Random& random) const;
-    PlacedRule direct(Vec3 normal, Random& random) const;
-    PlacedRule single(Vec3 normal) const;
-    PlacedRule rotated(Vec3 normal, double turns) const;
-    PlacedRule pool(Vec3 normal, double u, double turns) const;
+    std::vector<QuadratureRule> shared_rules() const;
 
     RenderSettings settings_;
-    std::unique_ptr<const Covariance> covariance_;
-    std::vector<CosineRule> rules_;
-    std::vector<std::shared_ptr<const CosineRule>>
-        shared_rules_;  // rules_, without a count that threads would fight for
+    Covariance covariance_;
+    std::vector<QuadratureRule> shared_;
+    double stability_ = 0, weight_sum_ = 0;
 };
 }  // namespace bmc

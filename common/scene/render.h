@@ -7,17 +7,16 @@
 #include "scene/image.h"
 #include "scene/pixel_rules.h"
 
+#include <functional>
+
 namespace bmc {
 // The colour of a point that the camera sees in column x of row y. Many threads call it.
 using Shade = std::function<Color(const Hit&, int x, int y)>;
 
-// L_o, linear RGB, by the method of the settings. Scene and environment must outlive it. Throws what the Gaussian
-// processes throw.
-Shade reflected_environment(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings);
+// L_o, linear RGB, by these rules. Scene and environment must outlive it.
+Shade reflected_environment(const Scene& scene, const EnvironmentMap& environment, const PixelRules& rules);
 
-// The image of these colours; a pixel that shows no object shows the background.
+// The image of these colours, with the size and the threads of the settings. A pixel that shows no object shows the
+// background.
 Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade);
-
-// The practice's picture: reflected_environment.
-Image render(const Scene& scene, const EnvironmentMap& environment, const RenderSettings& settings);
 }  // namespace bmc

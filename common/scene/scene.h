@@ -53,41 +53,6 @@ struct Hit {
 // The first object that the ray meets.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 
-// Whether the object blocks light arriving at a point outside of it from a direction, a Vec3 or a Direction. It
-// is computed in the direction's precision and without a branch, so that a loop can try many directions side by side.
-// A sphere shadows if its centre lies ahead and |o|^2 - (o.d)^2 < radius^2, where o is the offset to the centre.
-template <class Vector>
-bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vector direction) {
-    using Real = decltype(direction.x);
-    const Vec3 o = sphere.centre - point;
-    const Real ahead = Real(o.x) * direction.x + Real(o.y) * direction.y + Real(o.z) * direction.z;
-    return (ahead > 0) & (ahead * ahead > Real(dot(o, o) - sphere.radius * sphere.radius));
-}
-
-// The point where the ray meets the plane, times the ray's approach to it, from either side.
-template <class Vector>
-bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vector direction) {
-    using Real = decltype(direction.x);
-    const Real height = Real(std::fabs(point.y - rectangle.y));
-    const Real approach = point.y < rectangle.y ? direction.y : -direction.y;
-    const Real across = height * direction.x, along = height * direction.z;
-    return (approach > 0) & (across >= Real(rectangle.x_min - point.x) * approach) &
-           (across <= Real(rectangle.x_max - point.x) * approach) &
-           (along >= Real(rectangle.z_min - point.z) * approach) &
-           (along <= Real(rectangle.z_max - point.z) * approach);
-}
-
-// f of the object that can shadow a hit: the other one, since both are convex.
-template <class Function>
-auto of_other_object(const Scene& scene, const Hit& hit, Function f) {
-    return hit.object == Object::sphere ? f(scene.rectangle) : f(scene.sphere);
-}
-
-template <class Vector>
-bool is_shadowed(const Scene& scene, const Hit& hit, Vector direction) {
-    return of_other_object(scene, hit, [&](const auto& other) { return is_shadowed_by(other, hit.point, direction); });
-}
-
 // Calls f(x, y, hit) for each pixel that shows an object, row after row.
 template <class Function>
 void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
@@ -96,10 +61,30 @@ void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
             if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
 }
 
-// The number of these pixels.
-inline double object_pixels(const Scene& scene, const Camera& camera) {
-    double count = 0;
-    for_each_hit(scene, camera, [&](int, int, const Hit&) { ++count; });
-    return count;
+// Whether the object blocks the light that arrives from a direction at a point outside of it. `&` in place of `&&`:
+// both sides are always computed, so there is no branch. A sphere shadows if its centre lies ahead and if the squared
+// distance of the ray from it, |o|^2 - (o.d)^2 with o the offset to the centre, is less than radius^2.
+inline bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vec3 direction) {
+    const Vec3 o = sphere.centre - point;
+    const double ahead = dot(o, direction);
+    return (ahead > 0) & (ahead * ahead > dot(o, o) - sphere.radius * sphere.radius);
+}
+
+// The ray meets the plane at point + (height / approach) direction. Both sides of each comparison are multiplied by the
+// speed of approach, so that nothing is divided by 0.
+inline bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vec3 direction) {
+    const double height = std::fabs(point.y - rectangle.y);
+    const double approach = point.y < rectangle.y ? direction.y : -direction.y;
+    const double across = height * direction.x, along = height * direction.z;
+    return (approach > 0) & (across >= (rectangle.x_min - point.x) * approach) &
+           (across <= (rectangle.x_max - point.x) * approach) & (along >= (rectangle.z_min - point.z) * approach) &
+           (along <= (rectangle.z_max - point.z) * approach);
+}
+
+// Both objects are convex, so only the other one can shadow a hit.
+inline bool is_shadowed(const Scene& scene, const Hit& hit, Vec3 direction) {
+    const bool on_sphere = hit.object == Object::sphere;
+    return (on_sphere & is_shadowed_by(scene.rectangle, hit.point, direction)) |
+           (!on_sphere & is_shadowed_by(scene.sphere, hit.point, direction));
 }
 }  // namespace bmc

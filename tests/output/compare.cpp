@@ -1,9 +1,8 @@
-// compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL: says in words where an output differs from its reference
-// first, by how much, how much differs, and in which columns of a table. Of pictures, PPM (P6) or PFM
-// (PF), it measures the error; --error writes this as a picture: grey is none, white or black one of 0.1. With
-// --tolerant, for the output of another program, numbers agree within a relative T (0.001) plus 1e-9, white space does
-// not count, and pictures agree in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be
-// read.
+// compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL: prints where an output first differs from its reference, by
+// how much, and how much of it differs. Of pictures, PPM (P6) or PFM (PF), it measures the error; --error writes this
+// as a picture: grey is none, white or black one of 0.1. With --tolerant, for the output of another program, numbers
+// agree within a relative T (0.001) plus 1e-9, white space does not count, and pictures agree in all but 0.1 % of their
+// pixels. Exit status: 0 equal, 1 different, 2 a file cannot be read.
 #include "compare.h"
 
 #include <cstdio>

@@ -52,29 +52,6 @@ bool lines_agree(const std::string& reference, const std::string& actual, double
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-// Names the columns that differ, of the table, rows under one another with as many columns each, around line `at`.
-std::string differing_columns(const Words& reference, const Words& actual, std::size_t at, double tolerance) {
-    const std::size_t columns = split_columns(reference[at]).size();
-    const auto in_table = [&](std::size_t i) {
-        return i < reference.size() && is_row(reference[i]) && split_columns(reference[i]).size() == columns;
-    };
-    std::size_t first = at;
-    while (first > 0 && in_table(first - 1)) --first;
-    const Words header = first > 0 ? split_columns(reference[first - 1]) : Words();  // after its "#"
-    std::string names;
-    for (std::size_t j = 0; j < columns; ++j) {
-        bool same = true;
-        for (std::size_t i = first; in_table(i); ++i) {
-            const Words a = split_columns(reference[i]), b = split_columns(actual[i]);
-            same = same && (j >= b.size() || words_agree(a[j], b[j], tolerance));
-        }
-        if (!same)
-            names += (names.empty() ? "" : ", ") + ("column " + std::to_string(j + 1)) +
-                     (header.size() == columns + 1 ? " (" + header[j + 1] + ")" : "");
-    }
-    return names;
-}
-
 // Where the first difference is: line `at` of both outputs.
 std::string describe_place(const Words& reference, const Words& actual, std::size_t at, double tolerance) {
     const auto line_of = [&](const Words& lines) { return at < lines.size() ? lines[at] : "nothing"; };
@@ -104,11 +81,9 @@ std::string text_difference(const std::string& reference, const std::string& act
         }
     const bool ends_alike = reference.empty() || actual.empty() || reference.back() == actual.back();
     if (differing == 0) return ends_alike || tolerance > 0 ? "" : "only the line end after the last line differs";
-    std::string text = describe_place(expected, found, first, tolerance);
+    const std::string text = describe_place(expected, found, first, tolerance);
     if (expected.size() != found.size())
         return bmc::formatted("%s; the reference has %zu lines, here are %zu", text.c_str(), expected.size(),
                               found.size());
-    const std::string columns = is_row(expected[first]) ? differing_columns(expected, found, first, tolerance) : "";
-    if (!columns.empty()) text += "; differences in " + columns;
     return text + "; " + count_of(differing, lines, "lines");
 }

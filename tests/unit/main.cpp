@@ -1,2 +1,22 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
-#include <doctest/doctest.h>
+#include "test.h"
+
+#include <unistd.h>
+
+std::string stderr_of(const std::function<void()>& f) {
+    std::FILE *const printed = std::tmpfile(), *const nowhere = std::tmpfile();
+    std::fflush(stdout);
+    const int out = dup(STDOUT_FILENO), err = dup(STDERR_FILENO);
+    dup2(fileno(nowhere), STDOUT_FILENO);
+    dup2(fileno(printed), STDERR_FILENO);
+    const std::string problem = message_of(f);
+    std::fflush(stdout);
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    std::string text;
+    std::rewind(printed);
+    for (int c; (c = std::fgetc(printed)) != EOF;) text += static_cast<char>(c);
+    close(out), close(err), std::fclose(printed), std::fclose(nowhere);
+    if (!problem.empty()) throw std::runtime_error(problem);
+    return text;
+}

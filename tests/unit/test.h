@@ -1,12 +1,7 @@
-// What several tests use.
+// What several tests use. A test makes the scene and the light that it needs, unless it is about the built-in ones.
 #pragma once
 
-#include "command_line.h"
-#include "experiments/picture_error.h"
-#include "light/desert.h"
-#include "light/radiance_hdr.h"
-#include "numerics/plain_loops.h"
-#include "prediction.h"
+#include "command_line/options.h"
 
 #include <doctest/doctest.h>
 #include <getopt.h>
@@ -14,8 +9,11 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -26,38 +24,35 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 inline double relative(double a, double b) { return std::fabs(a / b - 1); }
-
-// ---- Text
-
+inline bool same(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+inline bool same(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](Vec3 p, Vec3 q) { return same(p, q); });
+}
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // The message of the exception that f throws; empty if it throws none.
-template <class Function>
-std::string message_of(Function f) {
+inline std::string message_of(const std::function<void()>& f) {
     try {
         f();
+        return "";
     } catch (const std::exception& error) {
         return error.what();
     }
-    return "";
 }
 
-// What a reader makes of a file with this content, and the message with which it refuses it; empty if it does not.
-template <class Result>
-struct TextReader {
-    Result (*reader)(std::istream&);
+// What f prints on standard error. Standard output is no terminal meanwhile.
+std::string stderr_of(const std::function<void()>& f);
 
-    Result operator()(const std::string& content) const {
-        std::istringstream in(content);
-        return reader(in);
-    }
-    std::string error(const std::string& content) const {
-        return message_of([&] { (*this)(content); });
-    }
+// A file that exists as long as this object.
+struct TemporaryFile {
+    const std::string name = (std::filesystem::temp_directory_path() / "file_of_unit_tests").string();
+
+    explicit TemporaryFile(const std::string& content) { std::ofstream(name, std::ios::binary) << content; }
+    ~TemporaryFile() { std::filesystem::remove(name); }
 };
 
-// What the options leave of a program's arguments.
-inline std::vector<std::string> parse(std::vector<std::string> words, const std::vector<Option>& options) {
+// Lets the options take what stands in these arguments of a program, and returns what they leave.
+inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
     words.insert(words.begin(), "program");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -66,31 +61,47 @@ inline std::vector<std::string> parse(std::vector<std::string> words, const std:
     return parse_options(static_cast<int>(words.size()), argv.data(), options);
 }
 
-// The rows of a report that are not comments, as words.
-inline std::vector<std::vector<std::string>> rows_of(const std::string& report) {
+// The rows of a table that are not comments, as words.
+inline std::vector<std::vector<std::string>> rows_of(const std::string& table) {
     std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(report);
+    std::istringstream lines(table);
     for (std::string line; std::getline(lines, line);) {
-        if (line.empty() || line[0] == '#') continue;
         std::istringstream words(line);
-        rows.emplace_back();
-        for (std::string word; words >> word;) rows.back().push_back(word);
+        if (!line.empty() && line[0] != '#')
+            rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
     }
     return rows;
 }
 
-// ---- Directions and maps
+// Whether a value of an enumeration is an enumerator: where it is an argument of a template, compilers print its name,
+// and (type)number for any other value.
+template <class Enumeration, Enumeration value>
+bool is_enumerator() {
+    return !contains(__PRETTY_FUNCTION__, "value = (");
+}
+template <class Enumeration, int... numbers>
+std::size_t count_enumerators(std::integer_sequence<int, numbers...>) {
+    return (std::size_t{0} + ... + is_enumerator<Enumeration, static_cast<Enumeration>(numbers)>());
+}
 
-inline std::vector<Vec3> random_directions(std::size_t n, std::uint64_t stream = 0) {
+// Whether the table gives every enumerator (they count from 0) a name of its own.
+template <class Enumeration, std::size_t rows>
+bool names_all(const std::pair<const char*, Enumeration> (&table)[rows]) {
+    std::set<std::string> names;
+    std::set<Enumeration> values;
+    for (const auto& [name, value] : table) names.insert(name), values.insert(value);
+    return names.size() == rows && values.size() == rows &&
+           count_enumerators<Enumeration>(std::make_integer_sequence<int, 32>()) == rows;
+}
+
+inline std::vector<Vec3> some_directions(std::size_t n, std::uint64_t stream = 0) {
     Random random(11, stream);
     return uniform_directions(n, random);
 }
-
-// Unit vectors all around.
-inline std::vector<Vec3> random_normals(std::size_t n) {
-    std::vector<Vec3> normals = random_directions(n, 1);
-    for (std::size_t i = 0; i < n; i += 2) normals[i] = -1 * normals[i];
-    return normals;
+inline std::vector<Vec3> all_around(std::size_t n) {
+    std::vector<Vec3> directions = some_directions(n, 1);
+    for (std::size_t i = 0; i < n; i += 2) directions[i] = -1 * directions[i];
+    return directions;
 }
 
 // Towards a place in a map, both from 0 to 1: u as the azimuth grows, v from the pole down.
@@ -102,90 +113,35 @@ inline Vec3 towards(double u, double v) {
 // The map whose texel in a column of a row is texel(column, row).
 template <class Texel>
 EnvironmentMap map_of(int width, int height, Texel texel) {
-    const Image image = image_of(width, height, texel);
-    return EnvironmentMap(width, height, image.rgb());
+    EnvironmentMap map(width, height);
+    for (int i = 0; i < width * height; ++i) map.set(i % width, i / width, texel(i % width, i / width));
+    return map;
 }
-
 inline EnvironmentMap even_map(int width, int height, double radiance) {
-    return map_of(width, height, [&](int, int) { return Color{radiance, radiance, radiance}; });
+    return map_of(width, height, [&](int, int) { return radiance * Color{1, 1, 1}; });
+}
+inline EnvironmentMap coloured_map(int width, int height) {  // each texel has another colour
+    return map_of(width, height, [](int x, int y) { return Color{x + 0.5, y + 0.25, (7 * x + 5 * y) % 11 + 0.125}; });
+}
+inline EnvironmentMap sunny_map() {  // dim, with a sun of 6 x 6 degrees
+    EnvironmentMap map = even_map(64, 32, 0.5);
+    map.set(50, 10, {1000, 900, 800});
+    return map;
 }
 
-// With a sun of 6 x 6 degrees.
-inline const EnvironmentMap sunny = map_of(64, 32, [](int column, int row) {
-    return column == 50 && row == 10 ? Color{1000, 900, 800} : Color{0.25, 0.5, 0.75};
-});
-
-// Coloured stripes.
-inline EnvironmentMap striped_map(int width, int height) {
-    return map_of(width, height, [&](int column, int row) {
-        const int i = 3 * (row * width + column);
-        return Color{i % 7 + 0.0, (i + 1) % 7 + 0.0, (i + 2) % 7 + 0.0};
-    });
+// A sphere over a rectangle, each of which shadows a part of the other.
+inline Scene test_scene() {
+    return {{{0.5, 0.25, -4}, 1.5, {0.75, 0.5, 0.25}}, {-1.25, -3, 3, -8, -1, {0.25, 0.5, 0.75}}};
 }
 
-inline std::vector<float> values(const EnvironmentMap& map) {
-    return {map.texels(), map.texels() + 3 * map.width() * map.height()};
-}
-
-inline const EnvironmentMap desert = load_environment(), white = even_map(1, 1, 1);
-
-// ---- Pictures
-
-inline const Method all_methods[] = {Method::mc, Method::direct, Method::single, Method::rotated, Method::pool};
-
-inline PictureSettings small(Method method, std::size_t samples = 40, int size = 40,
-                             Placement placement = Placement::uniform, Known known = Known::nothing) {
-    PictureSettings settings;
+inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12,
+                                    Placement placement = Placement::uniform, Known known = Known::nothing) {
+    RenderSettings settings;
     settings.method = method;
     settings.samples = samples;
+    settings.pool = 3;
     settings.width = settings.height = size;
     settings.placement = placement;
     settings.known = known;
     return settings;
-}
-
-// A sphere below the rectangle, in its shadow.
-inline Scene sphere_below() {
-    Scene scene = sphere_scene();
-    scene.sphere.radius = 0.8;
-    scene.rectangle.y = 1.2;
-    return scene;
-}
-
-// Nothing but the sphere.
-inline Scene sphere_alone() {
-    Scene scene = sphere_scene();
-    scene.rectangle.x_max = scene.rectangle.x_min;
-    return scene;
-}
-
-// Whether a picture has the same bytes by the textbook's loops and by the fast ones.
-template <class Draw>
-bool twins_agree(Draw draw) {
-    const std::string fast = to_pfm(draw());
-    plain_loops = true;
-    const std::string plain = to_pfm(draw());
-    plain_loops = false;
-    return fast == plain;
-}
-
-// What pictures tend to: plain weights on a dense lattice.
-inline Image dense_picture(const EnvironmentMap& environment, int size = 40) {
-    PictureSettings settings = small(Method::mc, 20000, size, Placement::fibonacci);
-    settings.threads = 2;
-    return render(sphere_scene(), environment, settings);
-}
-
-inline ImageError error_of(const Image& image, const Image& truth) { return image_error(image, truth_of(truth)); }
-
-// The light that a point reflects as one would first write it: in double precision and from a rule as it is.
-inline Color plain_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
-                         const QuadratureRule& rule, const Frame& frame, bool shadows = true) {
-    Color sum;
-    for (std::size_t i = 0; i < rule.weights.size(); ++i) {
-        const Vec3 direction = frame.to_world(rule.directions[i]);
-        if (shadows && is_shadowed(scene, hit, direction)) continue;
-        sum += rule.weights[i] * rule.directions[i].y / pi * environment.radiance(direction);
-    }
-    return hit.albedo * sum;
 }

@@ -1,62 +1,72 @@
-#include "command_line.h"
-
+#include "command_line/command_line.h"
 #include "test.h"
 
-TEST_CASE("options take values in both spellings and leave the rest") {
-    std::string value;
-    bool flag = false;
-    const std::vector<Option> options = {{"value", "X", "", [&](const std::string& text) { value = text; }},
-                                         {"flag", "", "", [&](const std::string&) { flag = true; }}};
-    CHECK(parse({"--value", "3", "rest", "--flag"}, options) == std::vector<std::string>{"rest"});
-    CHECK(value == "3");
-    CHECK(flag);
-    CHECK(parse({"--value=4"}, options).empty());
-    CHECK(value == "4");
-    CHECK_THROWS_WITH_AS(parse({"--other"}, options), "there is no option --other; --help lists them all", UsageError);
-    CHECK_THROWS_WITH_AS(parse({"--value"}, options), "--value needs a value; --help shows which", UsageError);
-    CHECK_THROWS_AS(parse({"--flag=1"}, options), UsageError);
-    CHECK_THROWS_AS(parse({"-v"}, options), UsageError);
-    const Option samples{"samples", "N", "", [](const std::string& text) { parse_integer(text, 1, 4096); }};
-    CHECK_THROWS_WITH_AS(parse({"--samples", "0"}, {samples}), "--samples: '0' is not a whole number from 1 to 4096",
-                         UsageError);
-}
-
-TEST_CASE("an option that would change nothing is refused, whatever stands before or after it") {
-    bool used = false;
-    const std::vector<Option> options = {
-        {"use", "", "", [&](const std::string&) { used = true; }},
-        {"value", "X", "", [](const std::string&) {}, [&] { return used ? "" : "it belongs to --use"; }}};
-    CHECK_THROWS_WITH_AS(parse({"--value", "3"}, options),
-                         "--value would change nothing: it belongs to --use; leave it out", UsageError);
-    CHECK_NOTHROW(parse({"--value", "3", "--use"}, options));
-    CHECK_NOTHROW(parse({"--use", "--value", "3"}, options));
+TEST_CASE("options take values in both spellings and leave the rest; a mistake is told with the name of the option") {
+    std::string text;
+    double real = 0;
+    int whole = 0, flags = 0;
+    const Options options = Options{text_option("text", "X", "", text), real_option("real", "", real, -1, 2.5)} +
+                            Options{whole_option("whole", "N", "", whole, 4096),
+                                    {"flag", "", "", [&](const std::string& none) { flags += none.empty(); }}};
+    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--whole", "4096", "-flag"}, options) ==
+          std::vector<std::string>{"rest"});
+    CHECK((text == "3" && real == -0.5 && whole == 4096 && flags == 2));
+    const auto mistake = [&](const std::vector<std::string>& words) {
+        CHECK_THROWS_AS(parse(words, options), UsageError);
+        return message_of([&] { parse(words, options); });
+    };
+    CHECK(mistake({"--other"}) == "there is no option --other; --help lists them all");
+    CHECK(mistake({"--text"}) == "--text needs a value; --help shows which");
+    CHECK(mistake({"--whole", "0"}) == "--whole: '0' is not a whole number from 1 to 4096");
+    CHECK(mistake({"--real=3"}) == "--real: '3' is not a number from -1 to 2.5");
+    mistake({"--flag=1"});
 }
 
 TEST_CASE("numbers are read entirely or not at all") {
-    CHECK(parse_real("0.25", 0, 1) == 0.25);
-    CHECK(parse_real("1e-3", 0, 1) == 0.001);
-    for (const char* text :
-         {"", "x", "1x", "1 ", "nan", "inf", "-inf", "1e400", "-1", "2", "0,5", "--", " 0.5", "0.5 ", "\t1", "0x1p-4"})
+    CHECK((parse_real("0.25", 0, 1) == 0.25 && parse_real("0", 0, 1) == 0 && parse_real("1", 0, 1) == 1));
+    for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "1e400", "-1", "2", "0,5"})
         CHECK_THROWS_AS(parse_real(text, 0, 1), UsageError);
-    CHECK(parse_integer("17", 1, 20) == 17);
-    for (const char* text :
-         {"", "0", "21", "1.5", "1e1", "99999999999999999999", "-1", "0x10", "nan", " 17", "17 ", "\n17"})
-        CHECK_THROWS_AS(parse_integer(text, 1, 20), UsageError);
-    CHECK(parse_seed("0") == 0);
-    CHECK(parse_seed("18446744073709551615") == ~std::uint64_t{0});
-    for (const char* text : {"-1", " 1", "1 ", "18446744073709551616"}) CHECK_THROWS_AS(parse_seed(text), UsageError);
+    CHECK((parse_whole("1", 1, 20) == 1 && parse_whole("20", 1, 20) == 20));
+    CHECK(parse_whole("18446744073709551615", 0, UINT64_MAX) == UINT64_MAX);
+    for (const char* text : {"", "0", "21", "1.5", "1e1", "18446744073709551617", "-1", "0x10", " 17", "17 "})
+        CHECK_THROWS_AS(parse_whole(text, 1, 20), UsageError);
 }
 
-TEST_CASE("a choice is one of the names of a table, and the help lists them") {
-    constexpr std::pair<const char*, int> table[] = {{"a", 1}, {"b", 2}, {"c", 3}};
-    CHECK(parse_choice("b", table) == 2);
-    CHECK_THROWS_WITH_AS(parse_choice("d", table), "'d' is none of a, b, c", UsageError);
-    CHECK(std::string(name_of(3, table)) == "c");
-    CHECK(choices(table, 1) == "a (default), b or c");
+TEST_CASE("a choice is one of the names of a table, which the help lists") {
+    enum class Letter { a, b, c };
+    constexpr std::pair<const char*, Letter> table[] = {{"b", Letter::b}, {"a", Letter::a}, {"c", Letter::c}},
+                                             two[] = {{"a", Letter::a}, {"b", Letter::b}},
+                                             alike[] = {{"a", Letter::a}, {"b", Letter::b}, {"a", Letter::c}};
+    CHECK((names_all(table) && !names_all(two) && !names_all(alike)));
+    CHECK(value_of("a", table) == Letter::a);
+    CHECK_THROWS_WITH_AS(value_of("d", table), "'d' is not b, a or c", UsageError);
+    CHECK(std::string(name_of(Letter::c, table)) == "c");
+    Letter letter = Letter::b;
+    const Option choice = choice_option("letter", table, letter, "; a remark");
+    CHECK(describe({choice}) == "  --letter NAME        b, a or c (default b); a remark\n");
+    choice.set("c");
+    CHECK(letter == Letter::c);
 }
 
-TEST_CASE("the length-scale among a model's options is that of its covariance") {
-    ModelSettings settings;
-    parse({"--covariance", "squared-exponential", "--length-scale", "0.5"}, ModelOptions(settings).process);
-    CHECK((*settings.make_covariance())(0.75) == SquaredExponential(0.5)(0.75));
+struct Echo {
+    std::string text;
+    Options options() { return {text_option("text", "X", "", text)}; }
+    std::string report() const { return text; }
+};
+
+TEST_CASE("the options of a command set what its report prints, and each command has its own") {
+    const Command one = command<Echo>("echo", "repeats"), two = command<Echo>("echo", "repeats");
+    parse({"--text", "hello"}, one.options);
+    CHECK((one.report() == "hello" && two.report() == "" && one.name == "echo" && one.summary == "repeats"));
+}
+
+TEST_CASE("an exception is a line on standard error; the exit status is 2 after a mistake of the caller, 1 otherwise") {
+    int status = 0;
+    const auto run = [&](const std::function<std::string()>& body) {
+        const std::string printed = stderr_of([&] { status = run_program("program", body); });
+        return printed + std::to_string(status);
+    };
+    CHECK(run([]() -> std::string { throw UsageError("a mistake"); }) == "program: a mistake\n2");
+    CHECK(run([]() -> std::string { throw std::invalid_argument("a problem"); }) == "program: a problem\n1");
+    CHECK(contains(run([]() -> std::string { throw std::bad_alloc(); }), "there is not enough memory"));
 }

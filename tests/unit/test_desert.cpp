@@ -1,39 +1,40 @@
 #include "light/desert.h"
-
+#include "light/radiance_hdr.h"
 #include "test.h"
 
-TEST_CASE("the built-in environment is a picture of 1024 x 512 radiances in [0, 1], always the same") {
-    const std::vector<float> first = values(desert);
-    REQUIRE(first.size() == 3 * 1024 * 512);
-    CHECK(first == values(load_environment()));
-    CHECK(*std::min_element(first.begin(), first.end()) >= 0);
-    CHECK(*std::max_element(first.begin(), first.end()) <= 1);
-}
-
-TEST_CASE("the bright desert is the desert, but for its sun a thousand times as bright") {
-    const EnvironmentMap bright_desert = load_environment("bright-desert");
-    const std::vector<float> even = values(desert), bright = values(bright_desert);
-    int changed = 0, darker = 0;
-    for (std::size_t i = 0; i < even.size(); i += 3) {
-        changed += bright[i] != even[i];
-        darker += bright[i] < even[i];
-    }
-    CHECK(darker == 0);
-    // A disc of radius acos(1 - 2 (1 - 0.9976)) = 5.6 degrees at an elevation of 29 degrees: pi 5.6^2 of texels that
-    // are 360 / 1023 by 180 / 511 degrees wide, over cos(29 degrees).
-    CHECK(changed > 860);
-    CHECK(changed < 960);
+TEST_CASE("the desert's radiances lie in [0, 1], and the bright desert has but a sun a thousand times as bright") {
+    const EnvironmentMap desert = load_environment(), bright = load_environment("bright-desert", 2);
+    REQUIRE((desert.width() == 1024 && desert.height() == 512 && bright.width() == 1024));
     const Vec3 sun{0.8, 0.48, 0.36};
-    CHECK(std::fabs(bright_desert.radiance(sun).x / desert.radiance(sun).x - 1000) < 1e-3);
+    CHECK(std::fabs(bright.radiance(sun).x / desert.radiance(sun).x - 1000) < 1e-3);  // floats
+    double least = 1, most = 0;
+    int wrong = 0;
+    for (int i = 0; i < 1023 * 511; ++i) {
+        const int x = i % 1023, y = i / 1023, texel = desert.texel_at(x, y);
+        const Color a = desert.texel(texel), b = bright.texel(texel);
+        const double to_sun = dot(towards((x + 0.5) / 1023, (y + 0.5) / 511), sun);
+        wrong += to_sun < std::cos(pi / 30) && !same(a, b);         // beyond 6 degrees
+        wrong += to_sun > std::cos(pi / 45) && !(b.x > 900 * a.x);  // within 4 degrees
+        least = std::min({least, a.x, a.y, a.z});
+        most = std::max({most, a.x, a.y, a.z});
+    }
+    CHECK((wrong == 0 && least >= 0 && least < 0.1 && most > 0.9 && most <= 1));
 }
 
 TEST_CASE("black and white is light from every direction with x > 0, and none from elsewhere") {
     const EnvironmentMap map = load_environment("black-and-white");
-    Random random(1, 0);
-    for (const Vec3& w : uniform_directions(1000, random)) {
-        if (std::fabs(w.x) < 0.01) continue;  // a column is 0.006 wide
-        CHECK(map.radiance(w).x == (w.x > 0 ? 1 : 0));
-        CHECK(map.radiance(-1 * w).z == (w.x > 0 ? 0 : 1));
-    }
-    for (const char* name : built_in_lights) CHECK(load_environment(name).width() == 1024);
+    for (const Vec3& w : all_around(1000))  // a column is 0.006 wide
+        if (std::fabs(w.x) > 0.01) CHECK(same(map.radiance(w), w.x > 0 ? Color{1, 1, 1} : Color{}));
+}
+
+TEST_CASE("a light from a file has the file's texels, and what is wrong is told with the file's name") {
+    const TemporaryFile good(to_radiance_hdr(EnvironmentMap(2, 1, {1, 0.5f, 0.25f, 8, 4, 2})));
+    CHECK(load_environment(good.name).width() == 2);
+    CHECK(same(load_environment(good.name).texel(2), {8, 4, 2}));
+    std::ofstream(good.name) << "P6";
+    CHECK(message_of([&] { load_environment(good.name); }) ==
+          good.name + ": not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
+    CHECK(message_of([&] { load_environment("no such file"); }) ==
+          "no such file: no file that can be read has this name, and no built-in light: they are desert, bright-desert "
+          "and black-and-white");
 }

@@ -1,107 +1,71 @@
 #include "light/environment.h"
-
 #include "test.h"
 
-namespace {
-
-// Texel i of the map has the radiance (i, i, i).
-EnvironmentMap numbered_map(int width, int height) {
-    return map_of(width, height, [&](int column, int row) { return (row * width + column) * Color{1, 1, 1}; });
+TEST_CASE("a map holds what it is made of, and texel 0 is black") {
+    EnvironmentMap map(2, 2, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    CHECK((map.width() == 2 && map.height() == 2));
+    CHECK(same(map.texel(0), {0, 0, 0}));
+    CHECK(same(map.texel(map.texel_at(1, 0)), {4, 5, 6}));
+    map.set(0, 1, {0.5, 0.25, 0});
+    CHECK(same(map.texel(3), {0.5, 0.25, 0}));
+    CHECK(same(map.texel(4), {10, 11, 12}));
+    for (int i = 0; i <= 6; ++i) CHECK(same(EnvironmentMap(3, 2).texel(i), {0, 0, 0}));
 }
 
-std::string construction_error(int width, int height, const std::vector<float>& rgb) {
-    return message_of([&] { EnvironmentMap(width, height, rgb); });
+TEST_CASE("a map refuses sizes that do not match its values, and values that are no radiances") {
+    const auto refusal = [](int width, int height, const std::vector<float>& rgb) {
+        return message_of([&] { EnvironmentMap(width, height, rgb); });
+    };
+    CHECK(refusal(2, 2, {1, 2, 3}) ==
+          "environment map of 2 x 2 texels with 3 values: it takes 1 to 67108864, of three values each");
+    CHECK(contains(refusal(-1, -1, {1, 2, 3}), "-1 x -1"));
+    CHECK(contains(refusal(65536, 65536, {}), "65536 x 65536"));
+    for (const float value : {-0.5f, HUGE_VALF, -HUGE_VALF, std::nanf("")})
+        CHECK(contains(refusal(1, 1, {1, 1, value}), formatted("environment map: %.9g is not", value)));
 }
 
-}  // namespace
-
-TEST_CASE("an environment map refuses sizes that do not match its values, and values that are no radiances") {
-    CHECK(contains(construction_error(2, 2, {1, 2, 3}), "2 x 2 texels with 3 values"));
-    CHECK(contains(construction_error(-1, -1, {1, 2, 3}), "-1 x -1"));
-    CHECK(contains(construction_error(65536, 65536, {}), "65536 x 65536"));
-    CHECK(contains(construction_error(std::numeric_limits<int>::min(), 1, {}), "it takes 1 to 67108864"));
-    for (const double value : {-0.5, infinity, -infinity, nan_value}) {
-        std::vector<float> rgb(3 * 4 * 3, 0.25f);
-        rgb[29] = static_cast<float>(value);
-        CHECK(contains(construction_error(4, 3, rgb), formatted("environment map: %.9g is not", value)));
+// The angles err by at most 2.3e-8.
+TEST_CASE("column and row are u (W - 1) and v (H - 1) by atan2 and acos, within 4e-6 in a map 1024 wide") {
+    const TexelGrid grid{1024, 512};
+    for (const Vec3& d : all_around(20000)) {
+        CHECK(std::fabs(grid.column(d.x, d.z) - 1023 * (1 + std::atan2(d.x, -d.z) / pi) / 2) < 4e-6);
+        CHECK(std::fabs(grid.row(d.y) - 511 * std::acos(d.y) / pi) < 4e-6);
     }
 }
 
-// The arctangent and the arccosine err by at most 2e-8, so columns and rows by 3.3e-6: that is the probability with
-// which a border separates a random direction from its texel. Among 1e6 at most 7 are expected, and 30 are eight
-// standard deviations more. In single precision an angle is off by some 5e-8 more: 50 to 100 are expected.
-TEST_CASE("the texel of a direction is that of atan2 and acos, but for a few neighbours in a million") {
-    const TexelGrid grid(1024, 512);
-    int different = 0, different_in_single = 0, not_neighbours = 0;
-    for (const Vec3& d : random_normals(1000000)) {
-        const int column = static_cast<int>((1 + std::atan2(d.x, -d.z) / pi) / 2 * 1023);
-        const int row = static_cast<int>(std::acos(d.y) / pi * 511);
-        const auto distance = [&](int index) { return std::abs(index % 1024 - column) + std::abs(index / 1024 - row); };
-        const int off = distance(grid.texel_index(d.x, d.y, d.z));
-        const Direction single(d);
-        const int off_in_single = distance(grid.texel_index(single.x, single.y, single.z));
-        different += off != 0;
-        different_in_single += off_in_single != 0;
-        not_neighbours += off > 1 || off_in_single > 1;
-    }
-    CHECK(different <= 30);
-    CHECK(different_in_single <= 150);
-    CHECK(not_neighbours == 0);
+TEST_CASE("a direction meets the texel at the floor of column and row; straight up and down it has the azimuth of -z") {
+    const EnvironmentMap map = coloured_map(512, 256);
+    const auto meets = [&](Vec3 direction, int column, int row) {
+        return map.texel_index(direction) == map.texel_at(column, row) &&
+               same(map.radiance(direction), map.texel(map.texel_at(column, row)));
+    };
+    CHECK(meets({0, 0, -1}, 255, 127));                                  // u = 1/2: 255.5, v = 1/2: 127.5
+    CHECK((meets({1, 0, 0}, 383, 127) && meets({-1, 0, 0}, 127, 127)));  // u = 3/4: 383.25, u = 1/4: 127.75
+    CHECK((meets({0, 0, 1}, 511, 127) && meets({0, 1, 0}, 255, 0) && meets({0, -1, 0}, 255, 255)));
+    for (const Vec3& d : all_around(1000))
+        CHECK(meets(d, static_cast<int>(map.grid().column(d.x, d.z)), static_cast<int>(map.grid().row(d.y))));
 }
 
-TEST_CASE("the axes meet the texels of the definition") {
-    const EnvironmentMap map = numbered_map(512, 256);
-    const auto texel = [](int column, int row) { return row * 512 + column; };
-    CHECK(map.radiance({0, 0, -1}).x == texel(255, 127));  // u = 1/2: floor(255.5), v = 1/2: floor(127.5)
-    CHECK(map.radiance({1, 0, 0}).x == texel(383, 127));   // u = 3/4: floor(383.25)
-    CHECK(map.radiance({-1, 0, 0}).x == texel(127, 127));  // u = 1/4: floor(127.75)
-    CHECK(map.radiance({0, 0, 1}).x == texel(511, 127));   // u = 1
-    CHECK(map.radiance({0, 1, 0}).x == texel(255, 0));     // v = 0
-    CHECK(map.radiance({0, -1, 0}).x == texel(255, 255));  // v = 1
-}
-
-TEST_CASE("every direction has a texel of the map, also one that is no unit vector or no direction at all") {
-    const std::vector<double> coordinates = {0.0,    -0.0,   1,     -1,     1 + 1e-15, -1 - 1e-15, 1 - 1e-15,
-                                             5e-324, 1e-200, 1e300, -1e300, infinity,  -infinity,  nan_value};
-    for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {7, 1}, {512, 256}}) {
-        const TexelGrid grid(width, height);
-        int outside = 0;
-        for (const double x : coordinates)
-            for (const double y : coordinates)
-                for (const double z : coordinates) {
-                    const Direction d(Vec3{x, y, z});
-                    for (const int index : {grid.texel_index(x, y, z), grid.texel_index(d.x, d.y, d.z)})
-                        outside += index < 0 || index >= width * height;
-                }
-        CHECK(outside == 0);
-    }
-}
-
-TEST_CASE("in a map of 67 million columns or rows, too, every direction has a texel") {
-    constexpr int many = (1 << 26) - 1;
-    for (const float z : {1.0f, -1.0f})
-        for (const float x : {0.0f, 1e-9f, -1e-9f}) {
-            CHECK(TexelGrid(many, 1).texel_index(x, 0.0f, z) < many);
-            CHECK(TexelGrid(1, many).texel_index(x, z, 0.0f) < many);
-            CHECK(TexelGrid(many, 1).texel_index(x, 0.0f, z) >= 0);
-        }
+TEST_CASE("a direction that rounding has lengthened has a texel, in every octant and in maps of any size") {
+    for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {512, 256}, {EnvironmentMap::max_texels, 1}})
+        for (int octant = 0; octant < 8; ++octant)
+            for (const Vec3& d : {Vec3{0, 1, 0}, {0, 0, 1}, {1e-300, 1, 0}, {1, 0, 1e-300}, {0.6, 0, 0.8}}) {
+                const auto signed_by = [&](int bit, double x) { return (octant & bit ? -1 - 1e-15 : 1 + 1e-15) * x; };
+                const double column = TexelGrid{width, height}.column(signed_by(1, d.x), signed_by(4, d.z));
+                const double row = TexelGrid{width, height}.row(signed_by(2, d.y));
+                CHECK((column > -1 && column < width && row > -1 && row < height));  // truncated towards 0
+            }
 }
 
 TEST_CASE("interpolated radiance is the texel's at its centre, the mean half-way, and closed around the azimuth") {
-    const EnvironmentMap map = numbered_map(9, 5);  // 8 columns and 4 rows with a width
-    // The lookup's angles err by 2.3e-8, which moves a texel of 1/8 turn by 3e-8 and its number, at most 9 a row, by
-    // 3e-7.
+    const EnvironmentMap map = map_of(9, 5, [](int x, int y) { return (9 * y + x) * Color{1, 1, 1}; });
+    // 8 columns and 4 rows have a width. The lookup's angles err by 2.3e-8, which moves a texel of 1/8 turn by 3e-8 and
+    // its number, at most 9 a row, by 3e-7.
     const auto shows = [&](double column, double row, double number) {
         return std::fabs(map.interpolated_radiance(towards(column / 8, row / 4)).y - number) < 5e-7;
     };
-    CHECK(shows(2.5, 1.5, 9 + 2));
-    CHECK(shows(3, 1.5, 9 + 2.5));
-    CHECK(shows(2.5, 2, (9 + 2 + 18 + 2) / 2.0));
-    CHECK(shows(0, 1.5, 9 + 3.5));  // between columns 7 and 0
-    CHECK(shows(8, 1.5, 9 + 3.5));
-    CHECK(shows(2.5, 0.1, 2));  // above the centres of the first row
-    CHECK(shows(2.5, 3.9, 27 + 2));
-    const Color one = EnvironmentMap(1, 1, {1, 2, 3}).interpolated_radiance({0, 1, 0});
-    CHECK(one.x == 1);
-    CHECK(one.z == 3);
+    CHECK((shows(2.5, 1.5, 9 + 2) && shows(2.75, 1.5, 9 + 2.25) && shows(2.5, 1.75, 9 + 2 + 2.25)));
+    CHECK((shows(0, 1.5, 9 + 3.5) && shows(8, 1.5, 9 + 3.5)));  // between columns 7 and 0
+    CHECK((shows(2.5, 0.1, 2) && shows(2.5, 3.9, 27 + 2)));     // beyond the centres of the first and last row
+    CHECK(same(EnvironmentMap(1, 1, {1, 2, 3}).interpolated_radiance({0, 1, 0}), {1, 2, 3}));
 }

@@ -1,44 +1,77 @@
 #include "experiments/error_table.h"
-
 #include "test.h"
 
-namespace {
+static const Integrand cosine_integrand{"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi};
 
-ErrorRow row_of(const Integrand& integrand, std::size_t samples, std::size_t mc_estimates, std::size_t bmc_estimates) {
+static ErrorRow row_of(const Integrand& integrand, std::size_t samples, std::size_t mc, std::size_t bmc) {
     ErrorSettings settings;
-    settings.samples = {samples};
-    settings.mc_estimates = mc_estimates;
-    settings.bmc_estimates = bmc_estimates;
-    return error_table(integrand, settings).at(0);
+    settings.mc_estimates = mc;
+    settings.bmc_estimates = bmc;
+    return error_row(integrand, samples, settings);
 }
 
-}  // namespace
-
-// Normal errors: E |error| = sqrt(2 / pi) * 2 pi sqrt(1/12 / n) for cos(theta); the mean of 4000 has a relative
-// standard error of 0.756 / sqrt(4000), and 5 of them allow for the normal approximation too.
-TEST_CASE("the mean absolute error of Monte Carlo is what its variance says") {
-    const double expected = std::sqrt(2 / pi) * 2 * pi * std::sqrt(1.0 / 12 / 40);
-    CHECK(relative(row_of(practice_integrands()[1], 40, 4000, 1).mc_error, expected) < 5 * 0.756 / std::sqrt(4000));
-}
-
-TEST_CASE("estimates of Bayesian Monte Carlo do not depend on the number of those of Monte Carlo") {
-    const ErrorRow many = row_of(practice_integrands()[1], 10, 100, 30),
-                   few = row_of(practice_integrands()[1], 10, 3, 30);
-    CHECK(few.bmc_error == many.bmc_error);
-    CHECK(few.bmc_predicted == many.bmc_predicted);
-    CHECK(few.mc_error != many.mc_error);
-}
-
-TEST_CASE("an exact estimate has no infinite or undefined gain beside another exact one") {
-    CHECK(ErrorRow{10, 0, 0, 0}.gain() == 1);
-    CHECK(std::isinf(ErrorRow{10, 1, 0, 0}.gain()));
-    CHECK(ErrorRow{10, 3, 2, 0}.gain() == 1.5);
-}
-
-// Monte Carlo integrates a constant exactly but for the rounding of its sum.
-TEST_CASE("an error of rounding counts as none, a larger one counts, however small") {
-    for (const auto& [relative, counts] : {std::pair(0.0, false), {2e-13, false}, {5e-12, true}}) {
-        const Integrand off{"", "", [](Vec3) { return 1.0; }, (1 + relative) * 2 * pi};
-        CHECK((row_of(off, 30, 100, 1).mc_error > 0) == counts);
+TEST_CASE("errors are those of estimates on the same directions for both methods, beside what the process predicts") {
+    const ErrorRow row = row_of(cosine_integrand, 10, 3, 2);
+    Statistics mc, bmc, predicted;
+    for (std::size_t e = 0; e < 3; ++e) {
+        const std::vector<Vec3> directions = estimate_directions({}, 10, e).directions;
+        const GaussianProcess process(Covariance(), 0.01, directions);
+        const std::vector<double> values = sample(cosine_integrand, directions);
+        mc.add(std::fabs(apply(monte_carlo_rule({directions}), cosine_integrand) - pi));
+        if (e == 2) break;
+        bmc.add(std::fabs(process.integral(values) - pi));
+        predicted.add(std::sqrt(2 / pi) * process.standard_error(values));
     }
+    CHECK((row.samples == 10 && row.mc.count == 3 && row.bmc.count == 2));
+    CHECK((relative(row.mc.mean, mc.mean) < 1e-14 && relative(row.bmc.mean, bmc.mean) < 1e-14));
+    CHECK(relative(row.predicted.mean, predicted.mean) < 1e-14);
+}
+
+TEST_CASE("an error of rounding counts as none, a larger one counts, however small") {
+    for (const double off : {0.0, 2e-13, 5e-12}) {
+        const Integrand constant{"", "", [](Vec3) { return 1.0; }, (1 + off) * 2 * pi};
+        CHECK((row_of(constant, 30, 100, 1).mc.mean > 0) == (off > 1e-12));
+    }
+}
+
+TEST_CASE("a line of the table has four digits, and - for what has no meaning; the gain is a quotient of errors") {
+    ErrorRow row{10, {}, {}, {}, "refused"};
+    for (const double error : {0.123456, 0.223456}) row.mc.add(error);
+    const auto shows = [&](Placement placement, const std::string& line) {
+        return rows_of(error_report(cosine_integrand, {row}, placement)) == rows_of(line);
+    };
+    CHECK(shows(Placement::uniform, "10 0.1735 0.05 - - - - -"));
+    row.bmc.add(0.0867280);
+    row.predicted.add(0.01);
+    CHECK((row.gain() == 2 && row.equivalent_mc_samples() == 40));
+    CHECK(shows(Placement::cosine, "10 0.1735 0.05 0.08673 - 0.01 2 40"));
+    CHECK(shows(Placement::fibonacci, "10 0.1735 0.05 0.08673 - 0.01 2 -"));
+    row.mc = {};
+    CHECK(std::isnan(row.gain()));
+}
+
+TEST_CASE("the tables have a line for each number of samples; one that a process refuses has no errors and is named") {
+    const auto tables = [](const std::vector<std::string>& words) {
+        ErrorTables all;
+        parse(words, all.options());
+        return all;
+    };
+    std::string output;
+    try {
+        tables({"--integrand=cosine", "--samples=4,1,50", "--bmc-estimates=2", "--covariance=squared-exponential",
+                "--length-scale=100", "--noise=0"})
+            .report();
+    } catch (const Incomplete& incomplete) {
+        output = incomplete.output + incomplete.what();
+    }
+    CHECK(contains(output, "\nno Gaussian process with these samples: 50; the matrix of 50 samples is not positive"));
+    const auto rows = rows_of(output);
+    REQUIRE(rows.size() == 3 + 1);
+    CHECK((rows[0][0] == "4" && rows[1][0] == "1" && rows[1][3] != "-" && rows[2][3] == "-" && rows[2][5] == "-"));
+    CHECK(rows_of(tables({"--samples=2", "--bmc-estimates=2", "--mc-estimates=3"}).report()).size() == 4);
+    for (const std::string list : {"", "1,", ",1", "0", "4097", "1, 2"})
+        CHECK_THROWS_AS(tables({"--samples=" + list}), UsageError);
+    CHECK(message_of([&] { tables({"--integrand=sine"}).report(); }) ==
+          "--integrand: 'sine' is none of cosine, cosine-cubed, environment, constant");
+    CHECK_THROWS_AS(tables({"--smoothness=1.25", "--known=cosine"}).report(), UsageError);
 }

@@ -1,74 +1,55 @@
+#include "quadrature/gaussian_process.h"
 #include "quadrature/quadrature.h"
-
 #include "test.h"
 
-namespace {
-
-// Lipschitz but with a kink: what radiance looks like to a quadrature.
-double kinked(Vec3 w) { return w.y * std::fabs(w.x - 0.2); }
-
-double kinked_integral() {
-    double sum = 0;
-    for (const Vec3& direction : fibonacci_directions(1000000)) sum += kinked(direction);
-    return 2 * pi / 1e6 * sum;
+TEST_CASE("Q is symmetric and full: k of the squared chord, and noise^2 on the diagonal") {
+    const std::vector<Vec3> directions = some_directions(7);
+    const Matrix q = covariance_matrix(Covariance(), 0.25, directions);
+    for (std::size_t i = 0; i < 7; ++i)
+        for (std::size_t j = 0; j < 7; ++j)
+            CHECK(q(i, j) == Covariance().k(squared_distance(directions[i], directions[j])) + (i == j) * 0.0625);
 }
 
-}  // namespace
-
-TEST_CASE("one sample has the closed form w = z / (k(0) + noise^2), V = zz - z w") {
-    const Sobolev covariance;
-    const GaussianProcess process(covariance, 0.5, {normalize({0.3, 0.7, 0.1})});
-    const double z = covariance.z(process.directions()[0].y), w = z / (8.0 / 3 + 0.25);
-    CHECK(std::fabs(process.weights()[0] / w - 1) < 1e-15);
-    CHECK(std::fabs(process.variance() - (covariance.integral_of_z() - z * w)) < 1e-13);
-    CHECK(std::fabs(process.integral({2}) - 2 * w) < 1e-14);
-    CHECK(std::fabs(process.amplitude({2}) - 2 / std::sqrt(8.0 / 3 + 0.25)) < 1e-15);
-    CHECK(std::fabs(process.standard_error({2}) - process.amplitude({2}) * std::sqrt(process.variance())) < 1e-15);
+// Q = [a b; b a], whose inverse is [a -b; -b a] / (a^2 - b^2). The tolerances are for differences of like numbers.
+TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matrix; rounding may lengthen a direction") {
+    for (const Known known : {Known::nothing, Known::cosine}) {
+        const GaussianProcess process(Covariance(), 0.1, {{0, 1.0000001, 0}, {0.6, 0.8, 0}}, known);
+        const double r = length(process.directions()[0] - Vec3{0.6, 0.8, 0}), a = 8.0 / 3 + 0.01, b = 8.0 / 3 - r;
+        const double z0 = Covariance().z(1, known), z1 = Covariance().z(0.8, known), determinant = a * a - b * b;
+        const double w0 = (a * z0 - b * z1) / determinant, w1 = (a * z1 - b * z0) / determinant;
+        const double v = Covariance().zz(known) - z0 * w0 - z1 * w1;
+        const double amplitude = std::sqrt((a * (1 + 9) - 2 * b * 3) / determinant / 2);  // Y = (1, 3)
+        CHECK(process.z() == std::vector<double>{z0, z1});
+        CHECK((relative(process.weights()[0], w0) < 2e-14 && relative(process.weights()[1], w1) < 2e-14));
+        CHECK(relative(process.integral({1, 3}), w0 + 3 * w1) < 2e-14);
+        CHECK(relative(process.variance(), v) < 1e-12);
+        CHECK(relative(process.amplitude({1, 3}), amplitude) < 2e-14);
+        CHECK(relative(process.standard_error({1, 3}), amplitude * std::sqrt(v)) < 1e-12);
+        CHECK(relative(process.inverse_covariance()(0, 1), -b / determinant) < 2e-14);
+    }
 }
 
-TEST_CASE("85 to 99.9 percent of the errors on a kinked integrand lie within two predicted standard errors") {
-    const double truth = kinked_integral();
-    for (const Known known : {Known::nothing, Known::cosine})
-        for (std::size_t n : {20u, 40u, 80u}) {
-            int inside = 0;
-            for (std::uint64_t set = 0; set < 300; ++set) {
-                Random random(12, 1000 * n + set);
-                const Placement placement = known == Known::nothing ? Placement::uniform : Placement::cosine;
-                const GaussianProcess process(Sobolev(), 0.01, place_directions(placement, n, random).directions,
-                                              known);
-                std::vector<double> values;
-                for (const Vec3& w : process.directions()) values.push_back(kinked(w) / known_part(known, w));
-                inside += std::fabs(process.integral(values) - truth) <= 2 * process.standard_error(values);
-            }
-            CHECK(inside >= 0.85 * 300);
-            CHECK(inside <= 0.999 * 300);
-        }
-}
-
-TEST_CASE("the log evidence is the density's logarithm with the best amplitude") {
-    // Two samples: Q = [a b; b a], whose inverse and determinant are elementary.
-    const std::vector<Vec3> directions{{0, 1, 0}, normalize({1, 1, 0})};
-    const GaussianProcess process(Sobolev(), 0.1, directions);
-    const double a = 8.0 / 3 + 0.01, b = 8.0 / 3 - length(directions[0] - directions[1]), det = a * a - b * b;
-    const double form = (a * (1 + 9) - 2 * b * 3) / det;  // Y = (1, 3)
-    CHECK(std::fabs(process.amplitude({1, 3}) - std::sqrt(form / 2)) < 1e-14);
-    CHECK(std::fabs(process.log_evidence({1, 3}) - (-std::log(form / 2) - 0.5 * std::log(det))) < 1e-14);
+TEST_CASE("a variance that rounding makes negative is 0") {
+    const Covariance nearly_constant(CovarianceFamily::squared_exponential, 1e4);
+    int negative = 0;
+    for (std::uint64_t stream = 0; stream < 100; ++stream) {
+        const GaussianProcess process(nearly_constant, 0, some_directions(4, stream));
+        CHECK(process.variance() >= 0);
+        negative += nearly_constant.zz() < process.integral(process.z());  // z^T Q^-1 z
+    }
+    CHECK(negative > 0);
 }
 
 TEST_CASE("a process refuses what is no sample set, and values that do not belong to it") {
-    CHECK_THROWS_AS(GaussianProcess(Sobolev(), 0.01, {}), std::invalid_argument);
-    CHECK_THROWS_WITH(GaussianProcess(Sobolev(), 0.01, {{1, -1e-12, 0}}),
-                      "a direction lies below the horizon: its y is -1e-12");
-    CHECK_THROWS_WITH(GaussianProcess(Sobolev(), -1e-12, {{0, 1, 0}}), "the noise must be at least 0; it is -1e-12");
-    for (const double noise : {nan_value, infinity})
-        CHECK_THROWS_AS(GaussianProcess(Sobolev(), noise, {{0, 1, 0}}), std::invalid_argument);
-    const GaussianProcess process(Sobolev(), 0.01, random_directions(3, 4));
+    const auto refusal = [](double noise, const std::vector<Vec3>& directions) {
+        return message_of([&] { GaussianProcess(Covariance(), noise, directions); });
+    };
+    CHECK(refusal(0.01, {}) == "a Gaussian process needs at least one direction");
+    CHECK(contains(refusal(0.01, {{1, -1e-12, 0}}), "elevation cosine must lie between 0 and 1; it is -9.99"));
+    CHECK(refusal(-1e-12, {{0, 1, 0}}) == "the noise must be at least 0; it is -1e-12");
+    CHECK(refusal(infinity, {{0, 1, 0}}) == "the noise must be at least 0; it is inf");
+    CHECK(contains(refusal(0, {{0, 1, 0}, {0, 1, 0}}), "is not positive definite"));
+    const GaussianProcess process(Covariance(), 0.01, some_directions(3));
     CHECK_THROWS_WITH(process.integral({1, 2}), "a Gaussian process of 3 directions was given 2 values");
-    CHECK_THROWS_AS(process.standard_error({1, 2, 3, 4}), std::invalid_argument);
-}
-
-TEST_CASE("a direction that rounding has made longer than 1 has the z of the pole") {
-    for (const Known known : {Known::nothing, Known::cosine})
-        CHECK(z_of(Sobolev(), {{0, 1.0000009, 0}}, known)[0] == z_of(Sobolev(), {{0, 1, 0}}, known)[0]);
-    CHECK(z_of(SquaredExponential(), {{0, 1.0000009, 0}})[0] == z_of(SquaredExponential(), {{0, 1, 0}})[0]);
+    CHECK_THROWS_AS(process.amplitude({1, 2, 3, 4}), std::invalid_argument);
 }

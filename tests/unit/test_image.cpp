@@ -1,38 +1,39 @@
 #include "scene/image.h"
-
 #include "test.h"
 
-TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
-    Image image(2, 2);
-    image.set(0, 0, {0, 1, 0.5});
-    image.set(1, 0, {-3, 7, 0.0031308});
-    image.set(1, 1, {std::nan(""), 0.0001, 1e-30});
-    const std::string ppm = to_ppm(image);
-    // 0.5 encodes to 187.5160, 0.0031308 to 12.92 * 0.0031308 * 255 = 10.31, 0.0001 to 0.33; what is no number is
-    // black.
-    const unsigned char pixels[] = {0, 255, 188, 0, 255, 10, 0, 0, 0, 0, 0, 0};
-    CHECK(ppm == "P6\n2 2\n255\n" + std::string(reinterpret_cast<const char*>(pixels), sizeof pixels));
-}
+static std::string text_of(const std::vector<unsigned char>& bytes) { return {bytes.begin(), bytes.end()}; }
 
-TEST_CASE("PPM: a byte begins where the sRGB code is half a unit below it") {
-    Image image(2, 1);
-    for (int byte = 1; byte < 256; ++byte) {
-        const double code = (byte - 0.5) / 255;
-        const double begin = code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-        // The image rounds to floats, by 6e-8 at most.
-        image.set(0, 0, {begin * (1 - 1e-7), 0, 0});
-        image.set(1, 0, {begin * (1 + 1e-7), 0, 0});
-        const std::string ppm = to_ppm(image);
-        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 6]) == byte - 1);
-        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 3]) == byte);
-    }
+TEST_CASE("formats have names; an image is black at first, and its pixels follow each other row after row") {
+    CHECK(names_all(format_names));
+    Image image(3, 2);
+    CHECK(same(image.pixels, std::vector<Color>(6)));
+    image(2, 1) = {1, 2, 3};
+    CHECK(same(image.pixels[5], {1, 2, 3}));
 }
 
 TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are") {
     Image image(1, 2);
-    image.set(0, 0, {1, 0, -2});
-    image.set(0, 1, {0.5, 1e30, 0});
-    const unsigned char pixels[] = {0, 0, 0,    0x3f, 0xca, 0xf2, 0x49, 0x71, 0, 0, 0, 0,
-                                    0, 0, 0x80, 0x3f, 0,    0,    0,    0,    0, 0, 0, 0xc0};
-    CHECK(to_pfm(image) == "PF\n1 2\n-1.0\n" + std::string(reinterpret_cast<const char*>(pixels), sizeof pixels));
+    image.pixels = {{1, 0, -2}, {0.5, 1e30, 0}};
+    CHECK(to_file(image, Format::pfm) ==
+          "PF\n1 2\n-1.0\n" + text_of({0, 0, 0,    0x3f, 0xca, 0xf2, 0x49, 0x71, 0, 0, 0, 0,
+                                       0, 0, 0x80, 0x3f, 0,    0,    0,    0,    0, 0, 0, 0xc0}));
+}
+
+// 0.5 encodes to 187.5160, 0.0031308 to 12.92 * 0.0031308 * 255 = 10.31, 0.0001 to 0.33; what is no number is black.
+TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
+    Image image(2, 2);
+    image.pixels = {{0, 1, 0.5}, {-3, 7, 0.0031308}, {0, 0, 0}, {nan_value, 0.0001, infinity}};
+    CHECK(to_file(image, Format::ppm) == "P6\n2 2\n255\n" + text_of({0, 255, 188, 0, 255, 10, 0, 0, 0, 0, 0, 255}));
+}
+
+TEST_CASE("the sRGB code c is c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4; bytes begin at half units") {
+    for (int byte = 1; byte < 256; ++byte) {
+        const double code = (byte - 0.5) / 255, begin = srgb_decoded(code);
+        CHECK(relative(begin, code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4)) < 1e-15);
+        Image image(2, 1);
+        image.pixels = {{begin * (1 - 1e-15), 0, 0}, {begin * (1 + 1e-15), 0, 0}};
+        const std::string ppm = to_file(image, Format::ppm);
+        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 6]) == byte - 1);
+        CHECK(static_cast<unsigned char>(ppm[ppm.size() - 3]) == byte);
+    }
 }

@@ -1,41 +1,28 @@
-#include "experiments/models.h"
-
+#include "beyond/reports/models.h"
 #include "test.h"
 
-namespace {
-
-const Model rough{CovarianceFamily::sobolev, 1.5};
-const Model smooth{CovarianceFamily::squared_exponential, 1};
-
-std::vector<Integrand> radiance() {
-    return scene_integrands(std::make_shared<const EnvironmentMap>(load_environment()), 10);
+TEST_CASE("the scene's integrands are luminance times visibility times cos(theta), with a truth by dense quadrature") {
+    const auto light = std::make_shared<const EnvironmentMap>(coloured_map(16, 9));
+    const std::vector<Integrand> integrands = scene_integrands(light, 5);
+    REQUIRE(integrands.size() == 5);
+    int shadowed = 0;
+    for (const Integrand& integrand : integrands) {
+        double sum = 0;
+        for (const Vec3& w : fibonacci_directions(50000)) {
+            const double value = integrand.value(w);
+            sum += 2 * pi / 5e4 * value;
+            shadowed += value == 0;
+            CHECK(value <= dot(luminance, {16.5, 9.25, 10.125}) * w.y);  // the brightest texel
+        }
+        CHECK(relative(integrand.truth, sum) < 3e-3);  // edges
+    }
+    CHECK(shadowed > 100);
 }
 
-std::vector<Examined> both(const std::vector<Integrand>& integrands, std::size_t sets) {
-    return {examine(rough, 0.01, integrands, 40, sets), examine(smooth, 0.01, integrands, 40, sets)};
-}
-
-}  // namespace
-
-TEST_CASE("the rough covariance wins on radiance, and most but not all sets of samples know it") {
-    const std::vector<Examined> models = both(radiance(), 20);
-    CHECK(models[1].rmse() > 1.2 * models[0].rmse());
-    const Choice choice = choice_by_evidence(models);
-    CHECK(choice.smooth > 0.02);
-    CHECK(choice.smooth < 0.5);
-    CHECK(choice.pooled_rmse == models[0].rmse());
-}
-
-TEST_CASE("a set of zeros says nothing about a model") {
-    Integrand rare{"rare", "", [](Vec3 w) { return w.x > 0.98 ? 1.0 : 0.0; }, 0};
-    const std::vector<Examined> models = both({rare}, 50);
-    int zeros = 0;
-    for (const Verdict& verdict : models[0].verdicts) zeros += verdict.predicted == 0 && verdict.surprise == 0;
-    CHECK(zeros > 10);  // a direction misses the cap with the probability 0.99
-    CHECK(zeros < 50);
-    double sums[2] = {};
-    for (std::size_t i = 0; i < 2; ++i)
-        for (const Verdict& verdict : models[i].verdicts) sums[i] += verdict.surprise;
-    CHECK(std::isfinite(sums[0]));
-    CHECK(choice_by_evidence(models).pooled_rmse == models[sums[1] < sums[0]].rmse());
+// Two samples: Q = [a b; b a], whose inverse and determinant are elementary.
+TEST_CASE("the log evidence is the density's logarithm with the best amplitude") {
+    const GaussianProcess process(Covariance(), 0.1, {{0, 1, 0}, {0.6, 0.8, 0}});
+    const double a = 8.0 / 3 + 0.01, b = 8.0 / 3 - std::sqrt(0.4), determinant = a * a - b * b;
+    const double form = (a * (1 + 9) - 2 * b * 3) / determinant;  // Y = (1, 3)
+    CHECK(std::fabs(log_evidence(process, {1, 3}) - (-std::log(form / 2) - 0.5 * std::log(determinant))) < 1e-14);
 }

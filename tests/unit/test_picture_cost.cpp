@@ -1,36 +1,26 @@
-#include "experiments/picture_cost.h"
-
+#include "beyond/reports/picture_cost.h"
 #include "test.h"
-
-TEST_CASE("a light that reaches no object is refused") {
-    CHECK_THROWS_WITH_AS(picture_costs(even_map(1, 1, 0), compared_settings(), {10}, CostSettings()),
-                         "the environment lights no object, so there is no error to compare; take another",
-                         std::invalid_argument);
-}
 
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table tells the samples of Monte Carlo with the same error, and the efficiency relative to it") {
-    const std::vector<PictureSettings> compared = compared_settings();
-    const auto rows =
-        rows_of(picture_table({{compared[0], 0.2, 0, 0, 0, 0, 0, 3}, {compared[5], 0.1, 0, 0, 0, 0, 0, 6}}, true));
-    REQUIRE(rows.size() == 2);
-    REQUIRE(rows[1].size() == 14);
-    CHECK(rows[1][9] == "160");
-    CHECK(rows[0][13] == "1");
-    CHECK(rows[1][13] == "2");
+    const PictureSettings mc{small_picture(Method::mc, 40), false}, pool{small_picture(Method::pool, 40), true};
+    CHECK(rows_of(picture_table({{mc, 0.2, 0, 0, 0, 0, 0, 3}, {pool, 0.1, 0, 0, 0, 0, 0, 6}}, true)) ==
+          rows_of("mc 3 uniform nothing 40 0.20000 0.00000 0.0000 0.00000 40 0.00000 0.000 3 1\n"
+                  "pool 3 uniform light 40 0.10000 0.00000 0.0000 0.00000 160 0.00000 0.000 6 2\n"));
 }
 
-TEST_CASE("progress grows to 1, other seeds make other errors, and measured times are positive") {
+TEST_CASE("errors are over seeds, in the order of settings and samples; a light that reaches nothing is refused") {
+    const EnvironmentMap map = coloured_map(16, 9);
     CostSettings costs;
-    costs.size = 4;
-    double last = 0;
+    costs.size = 6;
+    costs.timed = false;
     const std::vector<PictureSettings> two{compared_settings()[0], compared_settings()[5]};
-    const auto rows = picture_costs(white, two, {3, 5}, costs, [&](double done) {
-        CHECK(done > last);
-        last = done;
-    });
-    CHECK(last == 1);
-    for (const PictureCost& row : rows) CHECK(row.seconds_per_megapixel > 0);
+    const std::vector<PictureCost> rows = picture_costs(map, two, {3, 5}, costs);
+    REQUIRE(rows.size() == 4);
+    CHECK((rows[0].settings.method == Method::mc && rows[1].settings.samples == 5 && rows[2].settings.samples == 3));
+    for (const PictureCost& row : rows) CHECK((std::fabs(row.predicted / row.rmse - 1) < 0.3 && row.coverage > 0.8));
     costs.seed = 2;
-    CHECK(picture_costs(white, two, {3, 5}, costs)[0].rmse != rows[0].rmse);
+    CHECK(picture_costs(map, two, {3}, costs)[0].rmse != rows[0].rmse);
+    CHECK_THROWS_AS(picture_costs(EnvironmentMap(1, 1), two, {3}, costs), std::invalid_argument);
+    CHECK(seconds_of([] {}) > 0);
 }

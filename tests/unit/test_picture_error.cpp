@@ -1,45 +1,40 @@
-#include "experiments/picture_error.h"
-
+#include "beyond/reports/picture_error.h"
 #include "test.h"
 
-TEST_CASE("the error of an image: root mean square, neighbours' correlation and brightness") {
-    const auto grey_of = [](double even, double odd) {
-        return image_of(40, 40, [&](int x, int) { return (x % 2 ? odd : even) * Color{1, 1, 1}; });
+// These differences are exact in binary.
+TEST_CASE("the error of an image is its root mean square, the correlation of neighbours less the mean, brightness") {
+    const auto error_of = [](double even, double odd, double step) {
+        Image image(40, 40), truth(40, 40);
+        for (int i = 0; i < 1600; ++i) {
+            image(i % 40, i / 40) = ((i % 2 ? odd : even) + (i % 40 < 20 ? 0 : step)) * Color{1, 1, 1};
+            truth(i % 40, i / 40) = {0.5, 0.5, 0.5};
+        }
+        return image_error(image, truth);
     };
-    const Image truth = grey_of(0.5, 0.5), brighter = grey_of(0.625, 0.625), striped = grey_of(0.25, 0.75);
-    const Truth grey = truth_of(truth);
-    CHECK(image_error(truth, grey).rmse == 0);
-    // These differences are exact in binary.
-    const ImageError constant = image_error(brighter, grey);
-    CHECK(constant.rmse == 0.125);
-    CHECK(constant.correlation == 0);  // nothing is left when the mean is taken off
-    CHECK(constant.brightness == 0.25);
-    const ImageError alternating = image_error(striped, grey);
-    CHECK(alternating.rmse == 0.25);
-    CHECK(alternating.correlation == -1);
-}
-
-// Of the 200,000 directions 200 meet the sun.
-TEST_CASE("the dense truth agrees with a picture by many directions, also under a sun") {
-    const PictureSettings settings = small(Method::mc, 200000, 20, Placement::fibonacci);
-    const ImageError error = image_error(render(sphere_scene(), sunny, settings), dense_truth({sunny}, settings, 3000));
-    CHECK(error.rmse < 0.01);
-    CHECK(std::fabs(error.brightness) < 1e-3);
-}
-
-TEST_CASE("a picture of a sun's penumbra, with the light known, has the error that it predicts") {
-    const EnvironmentLight light = prefilter(sunny);
-    const PictureSettings settings = small(Method::pool, 40, 60, Placement::cosine_fibonacci, Known::light);
-    const Truth truth = dense_truth(light, settings, 3000);
-    const Image one = picture(sphere_scene(), light, settings), two = picture(sphere_scene(), light, second(settings));
-    const double predicted = root_mean_square(sphere_scene(), standard_errors(sphere_scene(), one, two));
-    CHECK(relative(image_error(one, truth).rmse, predicted) < 0.2);
+    CHECK((error_of(0.5, 0.5, 0).rmse == 0 && error_of(0.25, 0.75, 0).rmse == 0.25));
+    const ImageError brighter = error_of(0.625, 0.625, 0);
+    CHECK(
+        (brighter.rmse == 0.125 && brighter.correlation == 0 && brighter.brightness == 0.25));  // nothing but the mean
+    CHECK((error_of(0.25, 0.75, 0).correlation < -0.99 && error_of(0.25, 0.25, 0.5).correlation > 0.9));
 }
 
 TEST_CASE("coverage counts the errors of at most two predicted ones, colour by colour") {
-    Image image(2, 1), predicted(2, 1);
-    image.set(0, 0, {1, -2, 3});
-    image.set(1, 0, {9, 9, 9});
-    predicted.set(0, 0, {1, 1, 1});
-    CHECK(coverage(image, {Image(2, 1), {true, false}}, predicted) == 2.0 / 3);
+    Image image(40, 40), predicted(40, 40);
+    for (Color& pixel : image.pixels) pixel = {1.98, -2.02, -1.98};
+    for (Color& pixel : predicted.pixels) pixel = {1, 1, 1};
+    CHECK(relative(coverage(image, Image(40, 40), predicted), 2.0 / 3) < 1e-15);
+}
+
+// Of the 200,000 directions 200 meet the sun.
+TEST_CASE("the dense truth agrees with a picture by many directions, under a sun, too, and gives a lamp its own rays") {
+    const Scene scene = sphere_scene();
+    PictureSettings settings{small_picture(Method::mc, 200000, 10, Placement::fibonacci), false};
+    settings.threads = 2;
+    const EnvironmentMap map = sunny_map();
+    const Image many = render(scene, map, settings, reflected_environment(scene, map, PixelRules(settings)));
+    const ImageError error = image_error(many, dense_truth(map, settings, 3000));
+    CHECK((error.rmse < 0.01 && std::fabs(error.brightness) < 2e-3));
+    EnvironmentMap lamp = even_map(64, 32, 1);
+    lamp.set(20, 8, {50, 50, 50});
+    CHECK(image_error(dense_truth(lamp, settings, 1000), dense_truth(lamp, settings, 30000)).rmse < 0.003);
 }

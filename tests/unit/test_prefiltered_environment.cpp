@@ -1,84 +1,51 @@
-#include "known_light/prefiltered_environment.h"
-
+#include "beyond/known_light/prefiltered_environment.h"
 #include "test.h"
 
-namespace {
-
-// The mean over caps with their centres in a texel of the table, each centre with its share of the solid angle.
-Color direct_mean(const EnvironmentMap& map, const EnvironmentMap& table, double solid_angle, int texel,
-                  Random& random) {
-    constexpr std::size_t n = 4000;
-    Color sum;
-    double weights = 0;
-    for (const Vec3& w : fibonacci_directions(n)) {
-        const double column = texel % table.width() + random.uniform();
-        const double row = texel / table.width() + random.uniform();
-        const Frame frame(towards(column / (table.width() - 1), row / (table.height() - 1)));
-        const double cosine = 1 - (1 - w.y) * solid_angle / (2 * pi), across = std::sqrt(1 - w.y * w.y);
-        const double sine = std::sqrt(1 - cosine * cosine);
-        const double weight = std::sqrt(1 - frame.normal.y * frame.normal.y);
-        sum += weight * map.radiance(frame.to_world(Vec3{sine * w.x / across, cosine, sine * w.z / across}));
-        weights += weight;
-    }
-    return 1 / weights * sum;
-}
-
-}  // namespace
-
-// A cap is lookups in caps of a quarter of its size: seven per cent off at worst, at edges.
-TEST_CASE("300 random caps of the built-in light have the mean of a direct sum to 1.2 % in root mean square") {
-    const PrefilteredEnvironment light(desert);
-    Random random(5, 7);
-    double worst = 0, squares = 0;
-    for (int i = 0; i < 300; ++i) {
-        const double solid_angle = pi / (1 << 2 * (i % 6));
-        const EnvironmentMap& table = light.means(solid_angle);
-        Vec3 w = uniform_directions(1, random)[0];
-        if (i % 4 < 2) w.y = -w.y;
-        const int texel = table.grid().texel_index(w.x, w.y, w.z);
-        const double error = table.texel(texel).y / direct_mean(desert, table, solid_angle, texel, random).y - 1;
-        worst = std::max(worst, std::fabs(error));
-        squares += error * error / 300;
-    }
-    INFO(worst, " ", std::sqrt(squares));
-    CHECK(worst < 0.07);
-    CHECK(std::sqrt(squares) < 0.012);
-}
-
-TEST_CASE("a uniform light is its own mean over any cap, whatever the size of its map") {
-    for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {7, 1}, {2, 2}, {300, 40}, {1024, 512}}) {
-        const EnvironmentMap map = even_map(width, height, 0.25);
-        const PrefilteredEnvironment light(map);
-        for (int level = 0; level < 5; ++level) {
-            double worst = 0;
-            for (const float mean : values(light.means(pi / (1 << 2 * level))))
-                worst = std::max(worst, std::fabs(mean / 0.25 - 1));
-            CHECK(worst < 2e-6);  // the millionth that no cap is without, and rounding to float
+// Of the light 1 + w.d a cap of height b around n has the mean 1 + (1 - b / 2) n.d.
+TEST_CASE(
+    "the tables hold means over caps, within 2 % of the largest light, under one that is linear in the direction") {
+    const Vec3 d{0.48, -0.64, 0.6};
+    const EnvironmentMap map = map_of(513, 257, [&](int x, int y) {
+        return Color{1 + dot(towards((x + 0.5) / 512, (y + 0.5) / 256), d), 1, 0};
+    });
+    const PrefilteredEnvironment light(map, 2);
+    for (const double solid_angle : {pi, pi / 4, pi / 16, pi / 64}) {
+        const EnvironmentMap& means = light.means(solid_angle);
+        const int columns = means.width() - 1, rows = means.height() - 1;
+        for (int i = 0; i < columns * rows; ++i) {
+            const Vec3 n = towards((i % columns + 0.5) / columns, (i / columns + 0.5) / rows);
+            CHECK(std::fabs(means.radiance(n).x - (1 + (1 - solid_angle / (4 * pi)) * dot(n, d))) < 0.04);
+            CHECK(relative(means.radiance(n).y, 1) < 2e-6);  // the millionth that no cap is without, and floats
         }
     }
 }
 
-TEST_CASE("where there is light, no cap is black") {
-    // 40 of 1953 texels, small ones: no sun, since their radiance is less than a hundred times the mean.
-    const EnvironmentMap map = map_of(64, 32, [](int column, int row) {
-        return row == 5 && column >= 10 && column < 50 ? Color{1, 1, 1} : Color{};
-    });
-    const PrefilteredEnvironment light(map);
-    const double down = light.means(pi / 64).radiance({0, -1, 0}).x;
-    CHECK(down > 0);
-    CHECK(down < 4e-8);  // a millionth of a mean of 0.03
+TEST_CASE("the table for a solid angle is the one whose ratio to it is nearest to 1; below ten texels it is the map") {
+    const EnvironmentMap map = even_map(1024, 512, 1);
+    const PrefilteredEnvironment light(map, 2);
+    const auto one_table = [&](double a, double b) { return &light.means(a) == &light.means(b); };
+    CHECK((one_table(100, pi) && one_table(pi / 1.9, pi) && one_table(pi / 2.1, pi / 4) && !one_table(pi / 2.1, pi)));
+    // A texel at the equator has 2 pi / 1023 times pi / 511; the smallest caps, ten texels wide, have pi / 1024.
+    const double between = std::sqrt(2 * pi / 1023 * pi / 511 * pi / 1024);
+    CHECK((&light.means(1e-6) == &map && &light.means(between * 0.999) == &map));
+    CHECK((one_table(between * 1.001, pi / 1024) && !one_table(pi / 1024, pi / 256)));
 }
 
-TEST_CASE("the table for a solid angle is the one whose ratio to it is nearest to 1; the finest is the map") {
-    const PrefilteredEnvironment light(desert);
-    const auto same = [&](double a, double b) { return &light.means(a) == &light.means(b); };
-    CHECK(same(100, pi));
-    CHECK(same(pi / 1.9, pi));
-    CHECK(same(pi / 2.1, pi / 4));
-    CHECK(!same(pi / 2.1, pi));
-    CHECK(same(pi / 1000, pi / 1024));
-    CHECK(&light.means(1e-6) == &desert);
-    // A texel at the equator has 2 pi / 1023 times pi / 511; the smallest caps have pi / 1024.
-    CHECK(&light.means(std::sqrt(3.776e-5 * pi / 1024) * 0.999) == &desert);
-    CHECK(&light.means(std::sqrt(3.776e-5 * pi / 1024) * 1.001) == &light.means(pi / 1024));
+// 40 of 1953 texels, of less than a hundred times the mean: no sun.
+TEST_CASE("where there is light, no cap is black; a radiance that exceeds 1e36 is refused") {
+    EnvironmentMap map(64, 32);
+    for (int x = 10; x < 50; ++x) map.set(x, 5, {1, 1, 1});
+    const double down = PrefilteredEnvironment(map).means(pi / 64).radiance({0, -1, 0}).x;
+    CHECK((down > 0 && down < 4e-8));  // a millionth of a mean of 0.03
+    CHECK_THROWS_AS(PrefilteredEnvironment(even_map(2, 2, 3.4e35)), std::runtime_error);
+    CHECK(std::isfinite(PrefilteredEnvironment(even_map(2, 2, 3.3e35)).sky_irradiance({0, 1, 0}).x));
+}
+
+TEST_CASE("the sun has no part in the sky's means and irradiance") {
+    const EnvironmentMap map = sunny_map(), sky = Sun(map).sky();
+    const PrefilteredEnvironment light(map), dim(sky);
+    const Vec3 to_sun = towards(50.5 / 63, 10.5 / 31);
+    CHECK(same(light.sky_irradiance(to_sun), dim.sky_irradiance(to_sun)));
+    CHECK(same(light.means(pi / 16).radiance(to_sun), dim.means(pi / 16).radiance(to_sun)));
+    CHECK((same(light.sun_irradiance(to_sun), Sun(map).irradiance(to_sun)) && dim.sun().empty()));
 }

@@ -1,34 +1,55 @@
 #include "quadrature/quadrature.h"
-
 #include "test.h"
 
-TEST_CASE("a Monte Carlo rule integrates its known part exactly: 1, or the cosine that its directions follow") {
-    Random random(1, 0);
-    for (const auto& named : placement_names)
-        for (std::size_t n : {1u, 2u, 40u, 1000u}) {
-            const Placement placement = named.second;
-            const QuadratureRule rule = monte_carlo_rule(place_directions(placement, n, random));
-            const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
-            CAPTURE(named.first);
-            CHECK(rule.known == (cosine ? Known::cosine : Known::nothing));
-            CHECK(known_part(rule.known, {0.6, 0.8, 0}) == (cosine ? 0.8 : 1));
-            CHECK(rule.directions.size() == n);
-            double sum = 0;
-            for (double weight : rule.weights) sum += weight;
-            CHECK(std::fabs(sum / ((cosine ? 1 : 2) * pi) - 1) < 1e-13);  // n roundings
+TEST_CASE("the known part is 1 or cos(theta), and sums of weights are over its integral, 2 pi or pi") {
+    for (const Known known : {Known::nothing, Known::cosine}) {
+        const double integral = known == Known::cosine ? pi : 2 * pi;
+        const QuadratureRule rule{std::vector<Vec3>(3), {3 * pi, -2 * pi, pi}, known};
+        CHECK(known_part(known, {0.6, 0.8, 0}) == (known == Known::cosine ? 0.8 : 1));
+        CHECK((known_integral(known) == integral && rule.size() == 3));
+        CHECK((relative_weight_sum(rule) == 2 * pi / integral && stability_constant(rule) == 6 * pi / integral));
+    }
+}
+
+TEST_CASE("placements have names; each is its directions: random ones, or the lattice turned by one random number") {
+    CHECK(names_all(placement_names));
+    for (const auto& row : placement_names) {
+        const Placement placement = row.second;
+        Random drawn(1, 2), here(1, 2);
+        const DirectionSet placed = place_directions(placement, 10, drawn);
+        const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
+        const bool lattice = placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
+        std::vector<Vec3> expected = lattice  ? cosine ? cosine_fibonacci_directions(10) : fibonacci_directions(10)
+                                      : cosine ? cosine_directions(10, here)
+                                              : uniform_directions(10, here);
+        const double turns = lattice ? here.uniform() : 0;
+        if (lattice)
+            for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
+        INFO(row.first);
+        CHECK((is_lattice(placement) == lattice && same(placed.directions, expected) && drawn.bits() == here.bits()));
+        CHECK(placed.density == (cosine ? Known::cosine : Known::nothing));
+    }
+}
+
+TEST_CASE("Monte Carlo has equal weights that sum to the integral of p, a Bayesian rule has those of its process") {
+    for (const Known known : {Known::nothing, Known::cosine})
+        for (const std::size_t n : {1u, 3u, 40u}) {
+            const QuadratureRule mc = monte_carlo_rule({some_directions(n), known}),
+                                 bayes = bayesian_rule(Covariance(), 0.1, some_directions(n), known);
+            CHECK((mc.known == known && bayes.known == known));
+            CHECK((same(mc.directions, some_directions(n)) && same(bayes.directions, some_directions(n))));
+            CHECK(mc.weights == std::vector<double>(n, known_integral(known) / static_cast<double>(n)));
+            CHECK(bayes.weights == GaussianProcess(Covariance(), 0.1, some_directions(n), known).weights());
         }
 }
 
-TEST_CASE("placements: uniform sets are fresh, Fibonacci sets are one set turned by fresh angles") {
-    Random random(1, 2);
-    const std::vector<Vec3> a = place_directions(Placement::uniform, 10, random).directions,
-                            b = place_directions(Placement::uniform, 10, random).directions;
-    CHECK(a[0].y != b[0].y);
-    const std::vector<Vec3> plain = fibonacci_directions(10),
-                            turned = place_directions(Placement::fibonacci, 10, random).directions;
-    for (std::size_t i = 0; i < 10; ++i) {
-        CHECK(turned[i].y == plain[i].y);
-        CHECK(turned[i].x != plain[i].x);
-        CHECK(std::fabs(dot(turned[i], turned[0]) - dot(plain[i], plain[0])) < 1e-15);
+TEST_CASE("settings make the covariance of their family, with its own parameter") {
+    ModelSettings settings;
+    settings.smoothness = 1.25;
+    settings.length_scale = 0.5;
+    for (const auto& row : covariance_names) {
+        settings.covariance = row.second;
+        CHECK(settings.make_covariance().family() == row.second);
+        CHECK(settings.make_covariance().parameter() == (row.second == CovarianceFamily::sobolev ? 1.25 : 0.5));
     }
 }

@@ -1,55 +1,36 @@
 #include "scene/reflection.h"
-
 #include "test.h"
 
-namespace {
-
-// What a pixel does is compared, so that a few processes are enough.
-RenderSettings few_pixels(Method method, std::size_t samples, Placement placement = Placement::uniform,
-                          Known known = Known::nothing) {
-    RenderSettings settings = small(method, samples, 17, placement, known);
-    settings.pool = samples > 100 ? 1 : 3;
-    settings.height = 13;
-    return settings;
+TEST_CASE("a rule for cos(theta) has it in its weights, once, and the same directions") {
+    const QuadratureRule rule{{{0.6, 0.8, 0}, {0, 1, 0}, {0, 0, 1}}, {3, -2, 5}, Known::nothing};
+    const QuadratureRule folded = cosine_rule(rule);
+    CHECK(folded.weights == std::vector<double>{3 * 0.8, -2, 0});
+    CHECK(folded.known == Known::cosine);
+    CHECK(cosine_rule(folded).weights == folded.weights);
+    CHECK(same(rule.directions, folded.directions));
 }
 
-bool twins_render_alike(const RenderSettings& settings, const EnvironmentMap& light,
-                        const Scene& scene = sphere_scene()) {
-    return twins_agree([&] { return render(scene, light, settings); });
-}
-
-}  // namespace
-
-TEST_CASE("the fast loops give the textbook's bytes for every method, placement and known part") {
-    for (const EnvironmentMap& light : {desert, load_environment("bright-desert")})
-        for (const Method method : all_methods)
-            for (const auto& placement : placement_names)
-                for (const Known known : {Known::nothing, Known::cosine})
-                    CHECK_MESSAGE(twins_render_alike(few_pixels(method, 11, placement.second, known), light),
-                                  placement.first);
-}
-
-// Loops take 8 rays at a time, and batches have 256.
-TEST_CASE("the fast loops give the textbook's bytes for every number of samples") {
-    for (const std::size_t samples : {1u, 2u, 7u, 8u, 9u, 15u, 16u, 17u, 255u, 256u, 257u, 511u, 512u, 513u})
-        for (const Method method : {Method::mc, Method::pool})
-            CHECK_MESSAGE(twins_render_alike(few_pixels(method, samples), desert), samples);
-    CHECK(twins_render_alike(few_pixels(Method::mc, 9000, Placement::fibonacci), desert));
-}
-
-TEST_CASE("the fast loops give the textbook's bytes for maps of any size and a sphere in the rectangle's shadow") {
-    for (const auto& [width, height] : {std::pair(1, 1), {2, 1}, {1, 2}, {3, 5}, {64, 33}})
-        for (const Scene& scene : {sphere_scene(), sphere_below()})
-            CHECK(twins_render_alike(few_pixels(Method::rotated, 20), striped_map(width, height), scene));
-}
-
-TEST_CASE("after the directions of a rule stand eight zeros, which loops may read") {
-    CosineRule rule;
-    for (int n = 0; n < 3; ++n) {
-        for (const std::vector<float>* component : {&rule.x, &rule.y, &rule.z}) {
-            REQUIRE(component->size() == rule.size() + 8);
-            for (std::size_t i = rule.size(); i < component->size(); ++i) CHECK((*component)[i] == 0);
+// The loop that one writes first.
+TEST_CASE("reflected light is (albedo / pi) sum of weight V L, to the last bit, on both objects and for any map") {
+    const Scene scene = test_scene();
+    for (const EnvironmentMap& map : {coloured_map(1, 1), coloured_map(7, 5), coloured_map(64, 33)})
+        for (const std::size_t n : {1u, 2u, 7u, 64u, 301u}) {
+            const QuadratureRule rule = n < 10 ? bayesian_rule(Covariance(), 0.1, some_directions(n), Known::cosine)
+                                               : cosine_rule(monte_carlo_rule({some_directions(n)}));
+            int partly[2] = {};
+            for_each_hit(scene, {9, 9}, [&](int x, int y, const Hit& hit) {
+                const Frame frame = Frame(hit.normal).rotated(0.1 * x + 0.01 * y);
+                Color sum;
+                std::size_t lit = 0;
+                for (std::size_t i = 0; i < n; ++i) {
+                    const Vec3 direction = frame.to_world(rule.directions[i]);
+                    if (is_shadowed(scene, hit, direction)) continue;
+                    sum += rule.weights[i] * map.radiance(direction);
+                    ++lit;
+                }
+                CHECK(same(reflected_light(scene, map, hit, rule, frame), 1 / pi * (hit.albedo * sum)));
+                partly[static_cast<int>(hit.object)] += lit > 0 && lit < n;
+            });
+            CHECK((n < 10 || (partly[0] > 0 && partly[1] > 0)));
         }
-        rule.add({0.6, 0.8, 1}, 1);
-    }
 }

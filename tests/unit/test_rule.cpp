@@ -1,47 +1,74 @@
 #include "experiments/rule.h"
-
 #include "test.h"
 
-namespace {
-
-const TextReader<Samples> read{read_samples};
-
-}  // namespace
-
-TEST_CASE("directions are read with or without values, between white space or commas, among comments") {
-    const Samples samples = read("# x y z value\r\n0 1 0 2.5\r\n\n0.6,0.8,0,-1e3 # low\n\t0.0 0 -1\t7");
-    REQUIRE(samples.directions.size() == 3);
-    CHECK(samples.directions[1].x == 0.6);
-    CHECK(samples.directions[2].z == -1);
-    CHECK(samples.values == std::vector<double>{2.5, -1000, 7});
-    CHECK(read("0 1 0\n1 0 0\n").values.empty());
-    CHECK(read("0.8000008 0.6 0\n").directions.size() == 1);
-    CHECK(read("0,1,0\n0, 1, 0\n0, .6,.8\n").directions.size() == 3);
-    // As rule prints them, with z_j and the weight.
-    CHECK(read("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n").values.empty());
+static Samples samples_in(const std::string& content) {
+    std::istringstream in(content);
+    return read_samples(in);
 }
 
-TEST_CASE("a line that is no direction is named") {
-    const std::string range = "is not a number from -1e+100 to 1e+100";
-    CHECK(read.error("0 1 0\n\n0 1 x\n") == "line 3: 'x' " + range);
-    CHECK(read.error(std::string("0 1 1\0 2\n", 8)) == "line 1: '1?' " + range);
-    for (const std::string word : {"nan", "-inf", "1e308", "0x1p1"})
-        CHECK(read.error("0 1 " + word + "\n") == "line 1: '" + word + "' " + range);
-    for (const char* text : {"0 1 0\n0 1 0 5\n", "0 1\n0 1\n", "0 1 0 1 1 1\n"})
-        CHECK(contains(read.error(text), " numbers; every line should be x y z, or every line x y z value"));
-    CHECK(read.error("# up\n0 1.000002 0\n") ==
-          "line 2: the direction has length 1.000002; it should be 1 within 1e-6");
-    CHECK(read.error("1 -1e-300 0\n") == "line 1: the direction lies below the horizon: its y is -1e-300");
-    CHECK(read.error("# nothing\n") == "there are no numbers in it");
+// The report on directions in a file of this content.
+static std::string rule_report(const std::string& content, std::vector<std::string> words = {}) {
+    const TemporaryFile file(content);
+    words.push_back("--directions=" + file.name);
+    RuleReport report;
+    parse(words, report.options());
+    return report.report();
+}
+
+TEST_CASE("directions are read with or without values, among comments, and as the report prints them") {
+    const Samples samples = samples_in("# x y z value\r\n0 1 0 2.5\r\n\n0.6 0.8 0 -1e3 # low\n\t0.0 0 -1\t7");
+    CHECK(same(samples.directions, {{0, 1, 0}, {0.6, 0.8, 0}, {0, 0, -1}}));
+    CHECK(samples.values == std::vector<double>{2.5, -1000, 7});
+    CHECK(samples_in("0 1 0\n1 0 0\n").values.empty());
+    CHECK(samples_in("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n").values.empty());
+    CHECK(samples_in("0.8000008 0.6 0\n").directions.size() == 1);  // a length of 1 + 6.4e-7
+}
+
+TEST_CASE("a line that is no direction is named, with what a line should be") {
+    const auto refused = [](const std::string& content, const std::string& reason) {
+        CHECK_MESSAGE(contains(message_of([&] { samples_in(content); }), reason), content);
+    };
+    refused("0 1 0\n\n0 1 x\n", "line 3: a line has finite numbers, and nothing else");
+    for (const char* line : {"0,1,0\n", "0 1 nan\n"})
+        refused(line, "line 1: a line has finite numbers, and nothing else");
+    for (const char* line : {"0 1\n", "0 1 0 1 1 1\n"}) refused(line, "line 1: a line is x y z, x y z value, or");
+    for (const char* line : {"0 1.000002 0\n", "0 0.999998 0\n", "1 -1e-300 0\n"})
+        refused(line, "line 1: a direction has the length 1, and its y is at least 0");
+    for (const char* lines : {"0 1 0\n0 1 0 5\n", "0 1 0 5\n0 1 0\n"})
+        refused(lines, "line 2: all lines have values, or none has");
     std::string rows;
     for (int i = 0; i < 4096; ++i) rows += "0 1 0\n";
-    CHECK(read(rows).directions.size() == 4096);
-    CHECK(read.error(rows + "0 1 0\n") == "line 4097: there are more than 4096 directions");
+    CHECK(samples_in(rows).directions.size() == 4096);
+    refused(rows + "0 1 0\n", "there are 4097 directions, and 1 to 4096 are allowed");
+    refused("# nothing\n", "there are 0 directions, and 1 to 4096 are allowed");
 }
 
-TEST_CASE("values that are all zero have no amplitude and no standard error") {
-    const Samples samples = read("0 1 0 0\n0.6 0.8 0 0\n");
-    const GaussianProcess process(Sobolev(), 0.01, samples.directions);
-    CHECK(contains(rule_report(process, Known::nothing, samples.values),
-                   "estimate 0, amplitude 0, standard error unknown: zeros tell no amplitude\n"));
+// Of one direction w = z / (k(0) + noise^2), V = zz - z w.
+TEST_CASE("the report has directions, z and weights, what the weights sum to, and the estimate of given values") {
+    const double z = Covariance().z(0.8), q = 8.0 / 3 + 0.25, w = z / q, amplitude = 3 / std::sqrt(q);
+    const std::string text = rule_report("0.6 0.8 0 -3\n", {"--noise=0.5", "--matrices"});
+    for (const std::string& part :
+         {formatted("\n 0.600000  0.800000  0.000000 %12.9g %12.6g\n", z, w),
+          formatted("weights sum to %.6g; the integral of 1 is 6.28319. The ratio is %.4g:", w, w / 2 / pi),
+          formatted("S = %.4g times", w / 2 / pi), std::string(" 0 weights are negative"),
+          formatted("# The integral of the values: estimate %.9g, amplitude %.6g, standard error %.6g\n", -3 * w,
+                    amplitude, amplitude * std::sqrt(Covariance().zz() - z * w)),
+          formatted("# Q, 1 x 1\n%16.9g\n", q), formatted("# Q^-1, 1 x 1\n%16.9g\n", 1 / q)})
+        CHECK_MESSAGE(contains(text, part), part);
+    CHECK(!contains(rule_report("0 1 0\n"), "# Q"));
+    CHECK(contains(rule_report("0 1 0 0\n"), "amplitude 0, standard error unknown, since all values are 0\n"));
+    const std::string cosine = rule_report("0 1 0 2\n", {"--known=cosine"});
+    CHECK(contains(cosine, "the integral of cos(theta) is 3.14159"));
+    CHECK(contains(cosine, "# The integral of the values times cos(theta): estimate"));
+    CHECK(contains(cosine, formatted("%.9g", Covariance().z(1, Known::cosine))));
+}
+
+TEST_CASE("directions are drawn from stream 0 if no file is given, and a file that is not there is named") {
+    RuleReport report;
+    parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
+    Random random(5, 0);
+    const double x = place_directions(Placement::fibonacci, 3, random).directions[1].x;
+    CHECK(rows_of(report.report()).at(1).at(0) == formatted("%.6f", x));
+    report.directions = "no such file";
+    CHECK(message_of([&] { report.report(); }) == "no such file: this file cannot be read");
 }

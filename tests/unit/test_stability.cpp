@@ -1,57 +1,45 @@
-#include "experiments/stability.h"
-
+#include "beyond/reports/stability.h"
 #include "test.h"
 
-namespace {
+TEST_CASE("sample sets have names: random, doubled, on the rim, at the pole, or within 1e-8 of one direction") {
+    CHECK(names_all(sample_set_names));
+    const auto set = [](SampleSet which) { return sample_set(which, 10); };
+    Random random(1, 10);
+    const std::vector<Vec3> expected = uniform_directions(10, random), cluster = set(SampleSet::cluster);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(same(set(SampleSet::random)[i], expected[i]));
+        CHECK(same(set(SampleSet::duplicates)[i], expected[i - i % 2]));
+        CHECK(same(set(SampleSet::equator)[i], normalize({expected[i].x, 0, expected[i].z})));
+        CHECK(same(set(SampleSet::pole)[i], {0, 1, 0}));
+        CHECK((length(cluster[i] - cluster[0]) < 2e-8 && (i == 0 || !same(cluster[i], cluster[0]))));
+    }
+}
 
-const Model rough(CovarianceFamily::sobolev, 1.5), smooth(CovarianceFamily::squared_exponential, 1);
-
-}  // namespace
-
-TEST_CASE("the error found by turning is within 20 times of the true one, by weights of 60 digits") {
-    std::ifstream in("tests/unit/weights.txt");
-    std::string line, set, family;
-    double noise = 0, weight = 0;
-    int settings = 0;
-    while (std::getline(in, line)) {
-        if (line[0] == '#') continue;
-        std::istringstream words(line);
-        words >> set >> family >> noise;
-        const SampleSet its_set = parse_choice(set, sample_set_names);
-        const Model& model = family == "sobolev" ? rough : smooth;
-        const std::vector<double> weights =
-            GaussianProcess(*model.covariance, noise, sample_set(its_set, 40)).weights();
-        double error = 0, largest = 0;
-        for (const double each : weights) {
-            REQUIRE(static_cast<bool>(words >> weight));
-            error = std::max(error, std::fabs(each - weight));
-            largest = std::max(largest, std::fabs(weight));
+// Turning changes no distance and no elevation, so all differences are roundings.
+TEST_CASE("the error of the weights is the largest difference from four turned sets over the largest weight") {
+    const std::vector<Vec3> directions = sample_set(SampleSet::random, 40);
+    const QuadratureRule rule = bayesian_rule(Covariance(), 1e-4, directions);
+    double difference = 0, largest = 0;
+    for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
+        std::vector<Vec3> turned;
+        for (auto each = directions.rbegin(); each != directions.rend(); ++each)
+            turned.push_back(rotate_around_y(*each, turns));
+        const std::vector<double> weights = bayesian_rule(Covariance(), 1e-4, turned).weights;
+        for (std::size_t i = 0; i < 40; ++i) {
+            difference = std::max(difference, std::fabs(rule.weights[i] - weights[39 - i]));
+            largest = std::max(largest, std::fabs(rule.weights[i]));
         }
-        CAPTURE(line.substr(0, 40));
-        // Measured: a ratio from 0.2 to 12. In the cluster exp(-r^2 / 2) rounds to 1, turned or not.
-        const double ratio = weight_error(sample_set(its_set, 40), model, noise).value() / (error / largest);
-        if (its_set == SampleSet::cluster && &model == &smooth && noise == 1e-6)
-            CHECK(ratio < 1e-3);
-        else
-            CHECK(std::fabs(std::log(ratio)) < std::log(20));
-        ++settings;
     }
-    CHECK(settings == 30);
+    const Stability found = stability_of(directions, Covariance(), 1e-4).value();
+    CHECK((found.weight_error == difference / largest && found.constant == stability_constant(rule)));
+    CHECK((difference > 0 && found.weight_error < 1e-12));
 }
 
-TEST_CASE("a factor of a singular matrix gives no correct digit") {
-    CHECK(weight_error(sample_set(SampleSet::random, 100), smooth, 0).value() >= 0.1);
-}
-
-TEST_CASE("what is singular in double precision is refused, naming the pivot, and works with noise") {
+TEST_CASE("what is singular is refused, and works with noise; a nearly singular matrix leaves no digit") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
-        CHECK(
-            contains(message_of([&] { Cholesky(covariance_matrix(Sobolev(), 0, sample_set(set, 100))); }), "pivot 1 "));
-        CHECK(!weight_error(sample_set(set, 100), rough, 0));
-        CHECK(weight_error(sample_set(set, 100), rough, 1e-2).value() < 1e-9);
+        CHECK(!stability_of(sample_set(set, 100), Covariance(), 0));
+        CHECK(stability_of(sample_set(set, 100), Covariance(), 1e-2)->weight_error < 1e-9);
     }
-    // As s tends to 2, k tends to C - r^2, of rank 4: constants and the three coordinates.
-    const Model nearly_flat{CovarianceFamily::sobolev, std::nextafter(2, 1)};
-    CHECK(!weight_error(sample_set(SampleSet::random, 100), nearly_flat, 0));
-    CHECK(weight_error(sample_set(SampleSet::random, 100), nearly_flat, 1e-2));
+    const Covariance smooth(CovarianceFamily::squared_exponential, 1);
+    CHECK(stability_of(sample_set(SampleSet::random, 100), smooth, 0)->weight_error >= 0.1);
 }

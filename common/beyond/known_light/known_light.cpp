@@ -1,0 +1,47 @@
+#include "beyond/known_light/known_light.h"
+
+#include <algorithm>
+
+namespace bmc {
+std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
+    if (light.sun().empty()) return 0;
+    const double rays = 0.5 * light.sun().share() * static_cast<double>(samples);
+    return std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
+}
+
+RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light) {
+    const std::size_t sun = sun_samples(light, settings.samples);
+    settings.samples = settings.samples > sun ? settings.samples - sun : 1;
+    return settings;
+}
+
+Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule,
+                  const Frame& frame) {
+    std::vector<int> all(rule.size()), visible(rule.size());  // texels; the black one in the shadow
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+        const Vec3 direction = frame.to_world(rule.directions[i]);
+        all[i] = means.texel_index(direction);
+        visible[i] = !is_shadowed(scene, hit, direction) * all[i];
+    }
+    if (all == visible) return {1, 1, 1};
+    Quotient sky;
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+        sky.all += rule.weights[i] * means.texel(all[i]);
+        sky.visible += rule.weights[i] * means.texel(visible[i]);
+    }
+    return sky.fraction();
+}
+
+Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
+                            std::size_t sun_rays) {
+    const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(rules.settings().samples));
+    return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(rules.settings(), x, y);
+        const PlacedRule placed = rules.rule_for(hit.normal, random);
+        const Color sky = visible_sky(scene, means, hit, placed.rule(), placed.frame);
+        const Color sun = light_of_sun(scene, light.sun(), hit, sun_rays, random).fraction();
+        return 1 / portable::pi *
+               (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
+    };
+}
+}  // namespace bmc

@@ -1,0 +1,47 @@
+// Means of an environment over caps of several sizes, as tables: a ray that stands for a cap of directions sees them.
+// Kautz, Vazquez, Heidrich & Seidel, "A unified approach to prefiltered environment maps", Eurographics Workshop on
+// Rendering 2000.
+#pragma once
+
+#include "beyond/known_light/irradiance_map.h"
+#include "beyond/known_light/sun.h"
+
+#include <optional>
+#include <vector>
+
+namespace bmc {
+class PrefilteredEnvironment {
+public:
+    // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
+    explicit PrefilteredEnvironment(const EnvironmentMap& map, unsigned threads = 1);
+    PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;
+    PrefilteredEnvironment& operator=(const PrefilteredEnvironment&) = delete;
+
+    // The sun has no part in the caps' means.
+    const Sun& sun() const { return sun_; }
+
+    // The table whose caps are nearest in size, by ratio, to this solid angle > 0. There are tables for pi, pi / 4,
+    // ..., until a cap is ten texels wide, and below that the map itself. A millionth of the mean over all directions
+    // is added to each mean, so that no cap is black where there is light.
+    const EnvironmentMap& means(double solid_angle) const;
+
+    // E(n) of a unit normal, by the sky and by the sun.
+    Color sky_irradiance(Vec3 normal) const { return irradiance_(normal); }
+    Color sun_irradiance(Vec3 normal) const { return sun_.irradiance(normal); }
+
+private:
+    EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, unsigned threads) const;
+
+    struct Table {
+        double solid_angle;  // of the caps that it averages over
+        EnvironmentMap means;
+    };
+
+    const Sun sun_;
+    const std::optional<EnvironmentMap> without_sun_;  // where there is one
+    const EnvironmentMap& sky_;
+    IrradianceMap irradiance_;
+    std::vector<Table> tables_;  // the smallest caps first
+    double texel_;               // the solid angle of a texel of the sky
+};
+}  // namespace bmc

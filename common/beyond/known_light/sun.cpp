@@ -1,0 +1,93 @@
+#include "beyond/known_light/sun.h"
+
+#include "beyond/known_light/texels_on_sphere.h"
+
+#include <algorithm>
+
+namespace bmc {
+namespace {
+
+double brightness(Color c) { return c.x + c.y + c.z; }
+
+double all_light(const TexelsOnSphere& texels) {
+    double sum = 0;
+    for (int row = 0; row < texels.rows(); ++row) {
+        Color of_row;
+        for (int column = 0; column < texels.columns(); ++column) of_row += texels(row, column);
+        sum += texels.solid_angle(row) * brightness(of_row);
+    }
+    return sum;
+}
+
+// The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
+// order are a compact piece of the map, so the edge of a shadow crosses few of the rays' strata.
+std::uint64_t z_order(int row, int column) {
+    std::uint64_t order = 0;
+    for (int bit = 0; bit < 27; ++bit)
+        order |= std::uint64_t(row >> bit & 1) << (2 * bit + 1) | std::uint64_t(column >> bit & 1) << 2 * bit;
+    return order;
+}
+
+}  // namespace
+
+Sun::Sun(const EnvironmentMap& map, double threshold) : map_(map), all_(all_light(TexelsOnSphere(map, 1, 1))) {
+    const TexelsOnSphere texels(map, 1, 1);
+    const double least = threshold * all_ / (4 * portable::pi);
+    for (int row = 0; row < texels.rows(); ++row)
+        for (int column = 0; column < texels.columns(); ++column) {
+            const Color light = texels(row, column);
+            if (!(brightness(light) > least)) continue;
+            texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
+                               texels.solid_angle(row) * brightness(light)});
+        }
+    std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
+    for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
+    constexpr int parts = 256;
+    for (int i = 0; i < parts && !empty(); ++i) {
+        const double v = 0.6180339887498949 * i;  // of a lattice, where few texels have all the light
+        rays_.push_back(ray((i + 0.5) / parts, v - std::floor(v)));
+        rays_.back().colour = light() / parts * rays_.back().colour;
+    }
+}
+
+Sun::Ray Sun::ray(double u, double v) const {
+    const double before = u * light();
+    const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
+                                        [](double light, const Texel& each) { return light < each.light; });
+    const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
+    const TexelsOnSphere texels(map_, 1, 1);
+    const double top = texels.polar(texel->row).cosine, bottom = texels.polar(texel->row + 1).cosine;
+    const double cosine = top + v * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double across = (before - left) / (texel->light - left);
+    return {direction_of({sine, cosine}, texels.azimuth(texel->column + across)), texel->colour};
+}
+
+Color Sun::irradiance(Vec3 normal) const {
+    Color sum;
+    for (const Ray& each : rays_) sum += std::max(0.0, dot(normal, each.direction)) * each.colour;
+    return sum;
+}
+
+EnvironmentMap Sun::sky() const {
+    EnvironmentMap sky = map_;
+    for (const Texel& texel : texels_) sky.set(texel.column, texel.row, {});
+    return sky;
+}
+
+Color Quotient::fraction() const {
+    const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
+    return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};
+}
+
+Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random) {
+    Quotient light;
+    for (std::size_t j = 0; j < m; ++j) {
+        const double u = (static_cast<double>(j) + random.uniform()) / static_cast<double>(m);
+        const double v = random.uniform();
+        const Sun::Ray ray = sun.ray(u, v);
+        const double cosine = dot(hit.normal, ray.direction);
+        if (cosine > 0) light.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
+    }
+    return light;
+}
+}  // namespace bmc

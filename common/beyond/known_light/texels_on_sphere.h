@@ -1,0 +1,46 @@
+// The texels of an environment map as pieces of the sphere, for averages over directions.
+#pragma once
+
+#include "light/environment.h"
+
+#include <algorithm>
+
+namespace bmc {
+// The texels that have a solid angle. Only u = 1 or v = 1 meets the last column or row (environment.h), so these have
+// no area and are left out; a map of one row or column keeps it. If there are too few texels, each is cut into equal
+// pieces.
+class TexelsOnSphere {
+public:
+    TexelsOnSphere(const EnvironmentMap& map, int min_columns, int min_rows)
+        : map_(map),
+          across_(1 + (min_columns - 1) / std::max(1, map.width() - 1)),
+          down_(1 + (min_rows - 1) / std::max(1, map.height() - 1)),
+          columns_(across_ * std::max(1, map.width() - 1)),
+          rows_(down_ * std::max(1, map.height() - 1)) {}
+
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+
+    Color operator()(int row, int column) const { return map_.texel(map_.texel_at(column / across_, row / down_)); }
+
+    // The solid angle of one texel of the row.
+    double solid_angle(int row) const {
+        return 2 * portable::pi / columns_ * (polar(row).cosine - polar(row + 1).cosine);
+    }
+
+    // Sine and cosine of the polar angle at this height, counted in rows: row + 0.5 is the middle of a row.
+    portable::SineCosine polar(double height) const { return portable::sincos_turns(0.5 * height / rows_); }
+
+    // Sine and cosine of the azimuth at this place, counted in columns from +z over -x.
+    portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns_ - 0.5); }
+
+private:
+    const EnvironmentMap& map_;
+    int across_, down_, columns_, rows_;
+};
+
+// The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).
+inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
+    return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
+}
+}  // namespace bmc

@@ -1,0 +1,71 @@
+#include "beyond/picture_request.h"
+
+#include <cstdio>
+
+namespace bmc::beyond {
+namespace {
+
+// sun: the fraction of the light that both pictures may miss.
+void print_prediction(const PictureSettings& settings, double rmse, double sun) {
+    std::string remark;
+    if (sun > 0)
+        remark = formatted("; it may miss the sun, %.3g %% of the light: take --known light", 100 * sun);
+    else if (settings.method == Method::single)
+        remark = "; all pixels share one rule, and this seed may be far off";
+    std::fprintf(stderr, "renderer: %zu sample%s for a predicted RMSE of %.2g%s\n", settings.samples,
+                 settings.samples == 1 ? "" : "s", rmse, remark.c_str());
+}
+
+// The root mean square of each pixel's colours, from black at 0 to white at `white`.
+Image grey_scale(Image errors, double white) {
+    for (Color& pixel : errors.pixels) {
+        const double level = white > 0 ? std::sqrt(dot(pixel, pixel) / 3) / white : 0;
+        pixel = {level, level, level};
+    }
+    return errors;
+}
+
+}  // namespace
+
+Options PictureRequest::options() {
+    Options all = bmc::PictureRequest::options();
+    for (Option& option : all)
+        if (option.name == "known") {
+            option.description = "nothing, cosine or light (default nothing): known part; sobolev 1.5 only";
+            option.set = [this](const std::string& name) {
+                PictureSettings chosen{settings, false};
+                set_known(chosen, name);
+                settings.known = chosen.known;
+                light_known = chosen.light_known;
+            };
+        }
+    all.push_back(real_option("rmse", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9));
+    all.push_back(choice_option("show", show_names, show, ": predicted errors, white at twice RMSE"));
+    return all;
+}
+
+Image PictureRequest::image(const EnvironmentMap& map) const {
+    PictureSettings chosen{settings, light_known};
+    const EnvironmentLight light(map, light_known, settings.threads);
+    const double sun = light_known || (rmse == 0 && show == Show::picture) ? 0 : Sun(map).share();
+    if (rmse > 0) {
+        if (sun > 0)
+            throw UsageError(
+                formatted("--rmse: samples may miss the sun, which sends %.3g %% of the light; take --known "
+                          "light",
+                          100 * sun));
+        const ChosenSamples found = samples_for(rmse, max_process_samples, light, chosen);
+        chosen.samples = found.samples;
+        print_prediction(chosen, found.rmse, 0);
+    }
+    const Scene scene = sphere_scene();
+    const PixelRules rules = rules_of(light, chosen);
+    warn_of_weights(rules);
+    const Image image = render(scene, map, chosen, shade_of(scene, light, chosen, rules));
+    if (show == Show::picture) return image;
+    const Image errors = standard_errors(image, picture(light, second(chosen)));
+    const double predicted = root_mean_square(errors);
+    if (rmse == 0) print_prediction(chosen, predicted, sun);
+    return format == Format::ppm ? grey_scale(errors, 2 * predicted) : errors;
+}
+}  // namespace bmc::beyond

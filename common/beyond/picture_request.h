@@ -1,0 +1,23 @@
+// What the renderer is asked for beyond the practice: a light that is known, and errors that are predicted.
+#pragma once
+
+#include "beyond/prediction/prediction.h"
+#include "command_line/options.h"
+
+namespace bmc::beyond {
+// What a file shows of each point: the light that it reflects, or the standard error predicted for that light.
+enum class Show { picture, error };
+constexpr std::pair<const char*, Show> show_names[] = {{"picture", Show::picture}, {"error", Show::error}};
+
+struct PictureRequest : bmc::PictureRequest {
+    bool light_known = false;
+    Show show = Show::picture;
+    double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
+
+    Options options();
+
+    // Prints the prediction on stderr. Throws UsageError for an RMSE under a sun (sun.h) that is not known, since both
+    // pictures may miss it.
+    Image image(const EnvironmentMap& map) const;
+};
+}  // namespace bmc::beyond

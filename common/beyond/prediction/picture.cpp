@@ -1,0 +1,34 @@
+#include "beyond/prediction/picture.h"
+
+#include "command_line/command_line.h"
+
+namespace bmc {
+const char* known_name(const PictureSettings& settings) {
+    return settings.light_known ? "light" : name_of(settings.known, known_names);
+}
+
+void set_known(PictureSettings& settings, const std::string& name) {
+    settings.light_known = name == "light";
+    settings.known = settings.light_known ? Known::cosine : value_of(name, known_names);
+}
+
+EnvironmentLight::EnvironmentLight(const EnvironmentMap& map, bool known, unsigned threads) : environment(map) {
+    if (known) prefiltered = std::make_shared<const PrefilteredEnvironment>(map, threads);
+}
+
+PixelRules rules_of(const EnvironmentLight& light, const PictureSettings& settings) {
+    if (!settings.light_known) return PixelRules(settings);
+    return PixelRules(sky_settings(settings, *light.prefiltered));
+}
+
+Shade shade_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
+               const PixelRules& rules) {
+    if (!settings.light_known) return reflected_environment(scene, light.environment, rules);
+    return reflected_known_light(scene, *light.prefiltered, rules, sun_samples(*light.prefiltered, settings.samples));
+}
+
+Image picture(const EnvironmentLight& light, const PictureSettings& settings) {
+    const Scene scene = sphere_scene();
+    return render(scene, light.environment, settings, shade_of(scene, light, settings, rules_of(light, settings)));
+}
+}  // namespace bmc

@@ -1,0 +1,122 @@
+#include "beyond/reports/models.h"
+
+#include "beyond/reports/root_mean_square.h"
+
+namespace bmc {
+namespace {
+
+constexpr std::size_t points = 100, sets = 20;
+
+struct Model {
+    Covariance covariance;
+    double noise;
+};
+
+// The default first.
+std::vector<Model> all_models() {
+    std::vector<Model> models{{Covariance(), 0.01}};
+    for (const double s : {1.1, 1.25, 1.4, 1.8}) models.push_back({Covariance(CovarianceFamily::sobolev, s), 0.01});
+    for (const double noise : {0.001, 0.1}) models.push_back({Covariance(), noise});
+    for (const double noise : {0.01, 0.1})
+        for (const double l : {0.25, 0.5, 1.0, 2.0})
+            models.push_back({Covariance(CovarianceFamily::squared_exponential, l), noise});
+    return models;
+}
+
+// The results of a model on the integrands, over the sets of directions. Points of one set do not err independently, so
+// a set gives one number of each kind.
+struct ModelResults {
+    RootMeanSquare error, predicted;
+    Statistics evidence;  // per point
+};
+
+ModelResults results_of(const Model& model, const std::vector<Integrand>& integrands, std::size_t samples) {
+    ModelResults all;
+    for (std::size_t set = 0; set < sets; ++set) {
+        const GaussianProcess process(model.covariance, model.noise, estimate_directions({}, samples, set).directions);
+        RootMeanSquare error, predicted;
+        Statistics evidence;
+        for (const Integrand& integrand : integrands) {
+            const std::vector<double> values = sample(integrand, process.directions());
+            error.add(process.integral(values) - integrand.truth);
+            predicted.add(process.standard_error(values));
+            if (process.amplitude(values) > 0) evidence.add(log_evidence(process, values));  // zeros fit every model
+        }
+        all.error.add(error.value());
+        all.predicted.add(predicted.value());
+        all.evidence.add(evidence.mean);
+    }
+    return all;
+}
+
+RootMeanSquare monte_carlo_error(const std::vector<Integrand>& integrands, std::size_t samples) {
+    RootMeanSquare all;
+    for (std::size_t set = 0; set < sets; ++set) {
+        const QuadratureRule rule = monte_carlo_rule(estimate_directions({}, samples, set));
+        RootMeanSquare error;
+        for (const Integrand& integrand : integrands) error.add(apply(rule, integrand) - integrand.truth);
+        all.add(error.value());
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t count) {
+    const Scene scene = sphere_scene();
+    const QuadratureRule dense = monte_carlo_rule({fibonacci_directions(1 << 16)});
+    Random random(1, 0);
+    std::vector<Integrand> integrands;
+    while (integrands.size() < count) {
+        const int x = static_cast<int>(500 * random.uniform());
+        const int y = static_cast<int>(500 * random.uniform());
+        const std::optional<Hit> hit = intersect(scene, Camera{500, 500}.ray(x, y));
+        if (!hit) continue;
+        Integrand integrand{"scene", "L(w) V(w) cos(theta)", nullptr, 0};
+        integrand.value = [light, scene, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
+            const Vec3 w = frame.to_world(local);
+            return is_shadowed(scene, hit, w) ? 0 : dot(luminance, light->radiance(w)) * local.y;
+        };
+        integrand.truth = apply(dense, integrand);
+        integrands.push_back(integrand);
+    }
+    return integrands;
+}
+
+double log_evidence(const GaussianProcess& process, const std::vector<double>& values) {
+    double half_log_determinant = 0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        half_log_determinant += portable::log(process.cholesky().upper()(k, k));
+    return -static_cast<double>(values.size()) * portable::log(process.amplitude(values)) - half_log_determinant;
+}
+
+Options ModelsReport::options() {
+    return {text_option("environment", "FILE", environment_help, environment),
+            whole_option("samples", "N", "directions of a process (default 40)", samples, 400)};
+}
+
+std::string ModelsReport::report() const {
+    const auto light = std::make_shared<const EnvironmentMap>(load_environment(environment));
+    const std::vector<Integrand> integrands = scene_integrands(light, points);
+    std::string text =
+        formatted(
+            "# Which model does the scene require? Its light times visibility times cos(theta) at %zu points, by %zu\n"
+            "# sets of %zu samples.",
+            points, sets, samples) +
+        " rmse: the error of the estimate, with its standard error; ratio: predicted over actual\n"
+        "# rmse, 1 is honest; evidence: log evidence per point less that of the first row, larger is better.\n"
+        "# covariance          parameter  noise       rmse         +-  ratio  evidence\n";
+    double evidence_of_default = 0;
+    for (const Model& model : all_models()) {
+        const ModelResults v = results_of(model, integrands, samples);
+        if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
+        text +=
+            formatted("%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance.family(), covariance_names),
+                      model.covariance.parameter(), model.noise, v.error.value(), v.error.standard_error(),
+                      v.predicted.value() / v.error.value(), v.evidence.mean - evidence_of_default);
+    }
+    const RootMeanSquare mc = monte_carlo_error(integrands, samples);
+    return text + formatted("%-21s %9s %6s %10.4g %10.2g %6s %9s\n", "monte-carlo", "-", "-", mc.value(),
+                            mc.standard_error(), "-", "-");
+}
+}  // namespace bmc

@@ -1,0 +1,26 @@
+// Which covariance and which noise the scene requires: by the error, which needs the truth, by the evidence, which does
+// not, and by the error that a process predicts.
+#pragma once
+
+#include "command_line/options.h"
+#include "experiments/integrands.h"
+
+namespace bmc {
+// Incident luminance times cos(theta), shadows included, at random points that pixels of the sphere scene show. The
+// truth is a dense quadrature.
+std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t points);
+
+// Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
+// (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8). Processes with one known part can
+// be compared by it.
+double log_evidence(const GaussianProcess& process, const std::vector<double>& values);
+
+// What `workbench models` prints.
+struct ModelsReport {
+    std::string environment = built_in_lights[0];
+    std::size_t samples = 40;
+
+    Options options();
+    std::string report() const;
+};
+}  // namespace bmc

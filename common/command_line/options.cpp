@@ -1,0 +1,113 @@
+#include "command_line/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+namespace bmc {
+namespace {
+
+constexpr std::uint64_t max_side = 8192;
+
+void set_size(RenderSettings& settings, const std::string& text) {
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    settings.width = static_cast<int>(parse_whole(text.substr(0, cross), 1, max_side));
+    settings.height =
+        cross == text.size() ? settings.width : static_cast<int>(parse_whole(text.substr(cross + 1), 1, max_side));
+}
+
+double brightest_channel(Color pixel) { return std::max({pixel.x, pixel.y, pixel.z}); }
+
+// Prints a warning if more than a tenth of the objects' pixels is brighter than white.
+void warn_of_exposure(const Image& image, double exposure) {
+    const auto above_white = [](Color pixel) { return brightest_channel(pixel) > 1; };
+    if (std::none_of(image.pixels.begin(), image.pixels.end(), above_white)) return;
+    std::vector<double> brightness;
+    for_each_hit(sphere_scene(), {image.width, image.height},
+                 [&](int x, int y, const Hit&) { brightness.push_back(brightest_channel(image(x, y))); });
+    std::sort(brightness.begin(), brightness.end());
+    const std::size_t n = brightness.size();
+    if (n == 0 || brightness[n - 1 - n / 10] <= 1) return;
+    std::fprintf(stderr,
+                 "renderer: warning: more than a tenth of the objects' pixels is brighter than white; --exposure %.1f "
+                 "makes the brightest hundredth white\n",
+                 exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2));
+}
+
+}  // namespace
+
+Options model_options(ModelSettings& s) {
+    return {choice_option("covariance", covariance_names, s.covariance),
+            real_option("smoothness", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, 1.001, 1.999),
+            real_option("length-scale", "of squared-exponential, from 0.05 (default 1)", s.length_scale, 0.05, 1e6),
+            real_option("noise", "standard deviation of a sample's error over the amplitude (default 0.01)", s.noise, 0,
+                        1000),
+            choice_option("known", known_names, s.known, ": known part; sobolev 1.5 only"),
+            choice_option("placement", placement_names, s.placement),
+            {"seed", "K", "seed of the random numbers (default 1)",
+             [&s](const std::string& text) { s.seed = parse_whole(text, 0, UINT64_MAX); }}};
+}
+
+void require_closed_form(const ModelSettings& settings) {
+    try {
+        settings.make_covariance().zz(settings.known);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
+
+Options PictureRequest::options() {
+    return Options{choice_option("method", method_names, settings.method),
+                   whole_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
+                   whole_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)} +
+           model_options(settings) +
+           Options{
+               {"size", "WxH", "in pixels, or W for a square (default 500x500)",
+                [this](const std::string& text) { set_size(settings, text); }},
+               text_option("environment", "FILE", environment_help, environment),
+               real_option("exposure", "stops by which a PPM is brighter (default 0)", exposure, -100, 100),
+               choice_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
+               whole_option("threads", "T", "changes the time only (default: all processors)", settings.threads, 256)};
+}
+
+void PictureRequest::require_possible() const {
+    const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
+    if (!one_lattice && settings.samples > max_process_samples)
+        throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
+                         std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
+    if (settings.method != Method::mc) require_closed_form(settings);
+}
+
+Image PictureRequest::image(const EnvironmentMap& light) const {
+    const Scene scene = sphere_scene();
+    const PixelRules rules(settings);
+    warn_of_weights(rules);
+    return render(scene, light, settings, reflected_environment(scene, light, rules));
+}
+
+std::string PictureRequest::file(Image image) const {
+    if (format == Format::ppm) {
+        const double factor = portable::pow(2, exposure);
+        for (Color& pixel : image.pixels) pixel = factor * pixel;
+        warn_of_exposure(image, exposure);
+    }
+    return to_file(image, format);
+}
+
+void warn_of_weights(const PixelRules& rules) {
+    if (rules.stability() > 2)
+        std::fprintf(
+            stderr,
+            "renderer: warning: the sizes of a rule's weights sum to %.3g times the integral of the known part "
+            "(usual: 1 to 1.3), so errors grow; take the default covariance, or --noise 0.1\n",
+            rules.stability());
+    else if (rules.weight_sum() < 0.5)
+        std::fprintf(stderr,
+                     "renderer: warning: a rule's weights sum to %.3g times the integral of the known part (usual: 0.9 "
+                     "to 1), so the picture is too dark; take the default covariance and noise\n",
+                     rules.weight_sum());
+}
+}  // namespace bmc

@@ -1,0 +1,75 @@
+#include "linear_algebra/cholesky.h"
+
+#include "numerics/formatted.h"
+
+#include <cmath>
+
+namespace bmc {
+NotPositiveDefinite::NotPositiveDefinite(const Matrix& a, std::size_t index_of_pivot, double pivot, double least)
+    : std::runtime_error(formatted("the matrix of %zu samples is not positive definite: pivot %zu is %.3g and must "
+                                   "exceed %.2g; take the default covariance and noise, or --noise 0.1",
+                                   a.rows(), index_of_pivot, pivot, least)),
+      index(index_of_pivot) {}
+
+double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
+    const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(a(k, k));
+    if (!(pivot > least)) throw NotPositiveDefinite(a, k, pivot, least);
+    return std::sqrt(pivot);
+}
+
+namespace {
+
+// BEGIN SOLUTION inverse
+// U, row after row. The innermost loop runs along rows, where elements do not depend on each other.
+Matrix upper_factor(const Matrix& a) {
+    const std::size_t n = a.rows();
+    Matrix u(n, n);
+    for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t j = k; j < n; ++j) u(k, j) = a(k, j);
+        for (std::size_t i = 0; i < k; ++i)
+            for (std::size_t j = k; j < n; ++j) u(k, j) -= u(i, k) * u(i, j);
+        u(k, k) = root_of_pivot(a, k, u(k, k));
+        for (std::size_t j = k + 1; j < n; ++j) u(k, j) /= u(k, k);
+    }
+    return u;
+}
+// END SOLUTION
+
+}  // namespace
+
+Cholesky::Cholesky(const Matrix& a) : upper_(0, 0) {
+    if (a.rows() != a.columns()) throw std::invalid_argument("cholesky: the matrix must be square");
+    upper_ = upper_factor(a);
+}
+
+std::vector<double> Cholesky::solve_lower(std::vector<double> b) const {
+    if (b.size() != size()) throw std::invalid_argument("cholesky: the right-hand side must have one element per row");
+    for (std::size_t k = 0; k < size(); ++k) {
+        b[k] /= upper_(k, k);
+        for (std::size_t j = k + 1; j < size(); ++j) b[j] -= b[k] * upper_(k, j);
+    }
+    return b;
+}
+
+std::vector<double> Cholesky::solve(std::vector<double> b) const {
+    std::vector<double> x = solve_lower(std::move(b));
+    for (std::size_t k = size(); k-- > 0;) {
+        for (std::size_t j = size() - 1; j > k; --j) x[k] -= upper_(k, j) * x[j];
+        x[k] /= upper_(k, k);
+    }
+    return x;
+}
+
+// BEGIN SOLUTION inverse
+Matrix Cholesky::inverse() const {
+    Matrix inverse(size(), size());
+    for (std::size_t j = 0; j < size(); ++j) {
+        std::vector<double> e(size());
+        e[j] = 1;
+        const std::vector<double> column = solve(std::move(e));
+        for (std::size_t i = 0; i < size(); ++i) inverse(i, j) = column[i];
+    }
+    return inverse;
+}
+// END SOLUTION
+}  // namespace bmc

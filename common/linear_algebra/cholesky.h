@@ -1,0 +1,45 @@
+// The Cholesky factorisation A = L L^T of a symmetric positive definite matrix (Golub & Van Loan, "Matrix
+// Computations", section 4.2), from which solutions and the inverse follow. The factor is kept as U = L^T, row by row:
+//     u_kj = (a_kj - sum over i < k of u_ik u_ij) / u_kk
+#pragma once
+
+#include "linear_algebra/matrix.h"
+
+#include <stdexcept>
+#include <vector>
+
+namespace bmc {
+// Thrown for a pivot that is not positive, or no larger than its rounding error (k + 1) eps a_kk (Higham, "Accuracy and
+// Stability of Numerical Algorithms", 2002, section 10.1). Two rows are then nearly the same.
+struct NotPositiveDefinite : std::runtime_error {
+    NotPositiveDefinite(const Matrix& a, std::size_t index_of_pivot, double pivot, double least);
+
+    std::size_t index;  // row of the pivot, from 0
+};
+
+// u_kk, the root of the pivot of row k: of a_kk - sum over i < k of u_ik^2. Throws NotPositiveDefinite.
+double root_of_pivot(const Matrix& a, std::size_t k, double pivot);
+
+class Cholesky {
+public:
+    // Factors the symmetric n x n matrix A. Throws std::invalid_argument if it is not square, and NotPositiveDefinite.
+    explicit Cholesky(const Matrix& a);
+
+    std::size_t size() const { return upper_.rows(); }
+
+    // U = L^T: upper triangular, zero below the diagonal.
+    const Matrix& upper() const { return upper_; }
+
+    // y with L y = b, the first half of a solution: |y|^2 = b^T A^-1 b. b has n elements.
+    std::vector<double> solve_lower(std::vector<double> b) const;
+
+    // x with A x = b. b has n elements.
+    std::vector<double> solve(std::vector<double> b) const;
+
+    // A^-1, n x n: column j solves A x = e_j.
+    Matrix inverse() const;
+
+private:
+    Matrix upper_;
+};
+}  // namespace bmc

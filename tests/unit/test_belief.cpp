@@ -1,0 +1,44 @@
+#include "experiments/belief.h"
+#include "light/radiance_hdr.h"
+#include "test.h"
+
+// One direction w, seen by the process alone: Y = 1/2 there, and 0 is believed far from it. The mean is k Y / q with
+// q = k(0) + noise^2, the deviation a sqrt(k(0) - k^2 / q) with the amplitude a = Y / sqrt(q).
+TEST_CASE("the discs show light, posterior mean, deviation and error, and the estimate is that of the process") {
+    const TemporaryFile light(to_radiance_hdr(even_map(1, 1, 0.5)));
+    Belief belief;
+    parse({"--environment", light.name, "--samples=1", "--placement=fibonacci", "--noise=0.5"}, belief.options());
+    std::string picture;
+    const std::string printed = stderr_of([&] { picture = belief.report(); }), header = "P6\n800 200\n255\n";
+    Random random(1, 0);
+    const Vec3 w = place_directions(Placement::fibonacci, 1, random).directions[0];
+    const double q = 8.0 / 3 + 0.25, z = Covariance().z(w.y), amplitude = 0.5 / std::sqrt(q);
+    const double error = amplitude * std::sqrt(Covariance().zz() - z * z / q);
+    CHECK(contains(printed, formatted("workbench: estimate %.4f, standard error %.4f, truth ", 0.5 * z / q, error)));
+    const double truth = std::stod(printed.substr(printed.find("truth ") + 6));
+    CHECK((truth > 1.5 && truth < pi));  // the sphere hides a part of the sky, which would have pi
+
+    REQUIRE(picture.size() == header.size() + 3 * 800 * 200);
+    const auto byte = [&](int x, int y) {
+        return static_cast<unsigned char>(picture[header.size() + 3 * static_cast<std::size_t>(800 * y + x)]);
+    };
+    const auto shows = [&](int x, int y, double linear) {  // within about a unit: a pixel is a mean of 9 places
+        return std::fabs(srgb_decoded(byte(x, y) / 255.0) - std::min(linear, 1.0)) < 0.01;
+    };
+    int visible = 0;
+    for (const auto& [x, y] : {std::pair(100, 100), {60, 90}, {150, 120}, {90, 30}, {100, 175}, {30, 140}}) {
+        const double u = 2 * (x + 0.5) / 200 - 1, v = 2 * (y + 0.5) / 200 - 1, up = 1 - u * u - v * v;
+        const Vec3 here{-std::sqrt(1 + up) * v, up, -std::sqrt(1 + up) * u};
+        const double k = Covariance().k(squared_distance(here, w)), mean = k * 0.5 / q, seen = byte(x, y) > 0 ? 0.5 : 0;
+        CHECK((shows(x, y, seen) && shows(200 + x, y, mean)));
+        CHECK(shows(400 + x, y, 2.5 * amplitude * std::sqrt(8.0 / 3 - k * k / q)));
+        CHECK(shows(600 + x, y, 2.5 * std::fabs(mean - seen)));
+        visible += seen > 0;
+    }
+    CHECK(visible > 1);
+    for (int disc = 0; disc < 4; ++disc) CHECK(byte(200 * disc + 1, 1) == 118);  // the grey 0.18 around them
+    // The sample is a white dot with a black rim, a part of its pixel; the light around is 188.
+    const double scale = std::sqrt(1 + w.y);
+    const int x = static_cast<int>(100 * (1 - w.z / scale)), y = static_cast<int>(100 * (1 - w.x / scale));
+    CHECK((byte(x, y) == 255 && std::min(byte(x + 2, y), byte(x + 3, y)) < 160));
+}

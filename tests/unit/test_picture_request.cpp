@@ -1,0 +1,53 @@
+#include "beyond/picture_request.h"
+#include "test.h"
+
+// The file of a picture of 16 x 16 pixels, after what is printed.
+static std::string asked(const EnvironmentMap& map, std::vector<std::string> words) {
+    beyond::PictureRequest request;
+    words.insert(words.end(), {"--size=16", "--format=pfm", "--samples=10"});
+    parse(words, request.options());
+    std::string file;
+    const std::string printed = stderr_of([&] { file = request.file(request.image(map)); });
+    return printed + file;
+}
+
+TEST_CASE("a request is a picture, the standard errors that two predict, or as many samples as an RMSE takes") {
+    const EnvironmentMap map = coloured_map(32, 17);
+    for (const std::string known : {"nothing", "cosine", "light"}) {
+        PictureSettings settings{small_picture(Method::pool, 10, 16), false};
+        settings.pool = 20;
+        set_known(settings, known);
+        const EnvironmentLight light(map, settings.light_known, 1);
+        const Image image = picture(light, settings), errors = standard_errors(image, picture(light, second(settings)));
+        const std::string told = "renderer: %zu samples for a predicted RMSE of %.2g\n";
+        CHECK(asked(map, {"--known=" + known}) == to_file(image, Format::pfm));
+        CHECK(asked(map, {"--known=" + known, "--show=error"}) ==
+              formatted(told.c_str(), std::size_t{10}, root_mean_square(errors)) + to_file(errors, Format::pfm));
+        const ChosenSamples chosen = samples_for(1, 4096, light, settings);
+        settings.samples = chosen.samples;
+        CHECK(asked(map, {"--known=" + known, "--rmse=1"}) ==
+              formatted(told.c_str(), chosen.samples, chosen.rmse) + to_file(picture(light, settings), Format::pfm));
+    }
+    CHECK_THROWS_AS(parse({"--known=all"}, beyond::PictureRequest().options()), UsageError);
+    CHECK(contains(asked(map, {"--show=error", "--method=single"}), "; all pixels share one rule"));
+}
+
+TEST_CASE("what is shown has names; errors in a PPM are grey, white at twice their root mean square") {
+    CHECK(names_all(beyond::show_names));
+    beyond::PictureRequest request;
+    request.settings = small_picture(Method::mc, 5, 16);
+    request.show = beyond::Show::error;
+    Image grey(1, 1);
+    stderr_of([&] { grey = request.image(coloured_map(32, 17)); });
+    CHECK(relative(root_mean_square(grey), 0.5) < 1e-14);
+    for (const Color& pixel : grey.pixels) CHECK((pixel.x == pixel.y && pixel.y == pixel.z));
+}
+
+TEST_CASE("an RMSE under a sun is refused unless the light is known, and errors may miss the sun") {
+    const EnvironmentMap map = sunny_map();
+    CHECK(contains(message_of([&] { asked(map, {"--rmse=1"}); }),
+                   formatted("the sun, which sends %.3g %% of the light", 100 * Sun(map).share())));
+    CHECK_NOTHROW(asked(map, {"--rmse=1", "--known=light"}));
+    CHECK(contains(asked(map, {"--show=error"}), "it may miss the sun"));
+    CHECK(!contains(asked(map, {"--show=error", "--known=light"}), "sun"));
+}

@@ -1,0 +1,76 @@
+#include "scene/pixel_rules.h"
+#include "test.h"
+
+static bool same_rule(const QuadratureRule& a, const QuadratureRule& b) {
+    return a.weights == b.weights && a.known == b.known && same(a.directions, b.directions);
+}
+
+// The rule that the settings make of a random stream.
+static QuadratureRule rule_from(const RenderSettings& s, Random& random) {
+    const DirectionSet set = place_directions(s.placement, s.samples, random);
+    return s.method == Method::mc ? monte_carlo_rule(set)
+                                  : bayesian_rule(s.make_covariance(), s.noise, set.directions, s.known);
+}
+
+TEST_CASE("methods have names; a pixel's random stream has the number of the pixel, row after row") {
+    CHECK(names_all(method_names));
+    RenderSettings settings = small_picture(Method::mc, 1, 1 << 17);
+    settings.seed = 5;
+    CHECK(pixel_stream(settings, 3, 1 << 16).bits() == Random(5, (std::uint64_t{1} << 33) + 3).bits());
+}
+
+TEST_CASE("pixels share as many rules as the method says, rule i from stream 2^63 + i; S and the sum are their means") {
+    for (const auto& [method_name, method] : method_names)
+        for (const auto& [placement_name, placement] : placement_names) {
+            RenderSettings settings = small_picture(method, 15, 12, placement);
+            settings.seed = 3;
+            const PixelRules rules(settings);
+            std::size_t count = method == Method::pool ? 3 : 1;
+            if (method == Method::direct || (method == Method::mc && !is_lattice(placement))) count = 0;
+            INFO(method_name, " ", placement_name);
+            REQUIRE(rules.shared().size() == count);
+            double stability = 0, weight_sum = 0;
+            for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i) {  // without a shared rule, a fresh one
+                Random random(3, (std::uint64_t{1} << 63) + i);
+                const QuadratureRule rule = rule_from(settings, random);
+                if (count > 0) CHECK(same_rule(rules.shared()[i], cosine_rule(rule)));
+                stability += stability_constant(rule) / (count == 3 ? 3 : 1);
+                weight_sum += relative_weight_sum(rule) / (count == 3 ? 3 : 1);
+            }
+            CHECK((relative(rules.stability(), stability) < 1e-14 && relative(rules.weight_sum(), weight_sum) < 1e-14));
+        }
+}
+
+TEST_CASE("a pixel has a fresh rule, a shared one, one that is turned, or one that is chosen and then turned") {
+    const Vec3 normal = normalize({0.3, -0.5, 0.8});
+    for (const auto& [method_name, method] : method_names)
+        for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci})
+            for (std::uint64_t pixel = 0; pixel < 9; ++pixel) {
+                const PixelRules rules(small_picture(method, 5, 12, placement, Known::cosine));
+                Random drawn(1, pixel), here(1, pixel);
+                const PlacedRule placed = rules.rule_for(normal, drawn);
+                Frame frame(normal);
+                INFO(method_name);
+                if (rules.shared().empty()) {
+                    CHECK(same_rule(placed.rule(), cosine_rule(rule_from(rules.settings(), here))));
+                } else {
+                    const double u = method == Method::pool ? here.uniform() : 0;
+                    if (method != Method::single) frame = frame.rotated(here.uniform());
+                    CHECK(&placed.rule() == &rules.shared()[static_cast<std::size_t>(3 * u)]);
+                }
+                CHECK(
+                    (same(placed.frame.to_world({1, 2, 4}), frame.to_world({1, 2, 4})) && drawn.bits() == here.bits()));
+            }
+}
+
+TEST_CASE("S is 1 of Monte Carlo, at most 1.31 of the rough covariance, far above 2 of the smooth one without noise") {
+    const auto stability = [](const RenderSettings& settings) { return PixelRules(settings).stability(); };
+    CHECK(std::fabs(stability(small_picture(Method::mc, 40)) - 1) < 1e-14);
+    for (const std::size_t samples : {5u, 10u, 40u, 160u})
+        CHECK(std::fabs(stability(small_picture(Method::pool, samples)) - 1) < 0.31);
+    RenderSettings smooth = small_picture(Method::pool, 85);
+    smooth.covariance = CovarianceFamily::squared_exponential;
+    CHECK(stability(smooth) < 1.31);  // noise 0.01
+    smooth.noise = 0;
+    CHECK(stability(smooth) > 20);
+}

@@ -1,0 +1,73 @@
+#include "beyond/known_light/sun.h"
+#include "beyond/known_light/texels_on_sphere.h"
+#include "test.h"
+
+TEST_CASE("the sun is the texels of more than a hundred times the mean radiance, and the sky is the map without them") {
+    EnvironmentMap map = even_map(64, 32, 1);
+    const int place = map.texel_at(50, 10);
+    const double part = TexelsOnSphere(map, 1, 1).solid_angle(10) / (4 * pi);
+    const double threshold = 100 * (1 - part) / (1 - 100 * part);  // 100 (part radiance + 1 - part)
+    for (const double radiance : {0.999 * threshold, 1.001 * threshold}) {
+        map.set(50, 10, {radiance, radiance, radiance});
+        const Sun sun(map);
+        const bool shines = radiance > threshold;
+        CHECK(sun.empty() == !shines);
+        CHECK(std::fabs(sun.light() - shines * 4 * pi * part * 3 * radiance) < 1e-5);  // floats
+        CHECK(std::fabs(sun.share() - shines * part * radiance / (1 - part + part * radiance)) < 1e-6);
+        CHECK((sun.sky().texel(place).x == (shines ? 0 : map.texel(place).x) && sun.sky().texel(place + 1).x == 1));
+    }
+}
+
+// A texel at the pole, 22.5 degrees high and wide: the azimuth goes with u, the elevation cosine with v.
+TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angle, with the colour over its sum") {
+    const EnvironmentMap map = map_of(17, 9, [](int x, int y) { return (y == 0 && x == 12) * Color{3, 2, 1}; });
+    const Sun sun(map);
+    for (const double u : {0.0, 0.1, 0.5, 0.99})
+        for (const double v : {0.01, 0.5, 0.99}) {
+            const auto [direction, colour] = sun.ray(u, v);
+            CHECK(same(colour, {0.5, 1.0 / 6 * 2, 1.0 / 6}));
+            CHECK(std::fabs(std::atan2(direction.x, -direction.z) - ((12 + u) / 8 - 1) * pi) < 1e-12);
+            CHECK(std::fabs(direction.y - (1 - v * (1 - std::cos(pi / 8)))) < 1e-12);
+        }
+    CHECK(relative(sun.light(), 6 * 2 * pi / 16 * (1 - std::cos(pi / 8))) < 1e-12);
+    CHECK(relative(sun.irradiance(towards(12.5 / 16, 0.5 / 8)).x, 0.5 * sun.light()) < 0.02);  // cosines down to 0.98
+    CHECK(same(sun.irradiance({0, -1, 0}), {0, 0, 0}));
+}
+
+TEST_CASE("the fraction u of the light is passed texel by texel, in Morton's order") {
+    for (const int far : {0, 4096}) {
+        const EnvironmentMap map = map_of(8193, 9, [&](int x, int y) {
+            return (x >= far && x < far + 4 && (y == 2 || y == 3)) * Color{1, 1, 1};
+        });
+        std::vector<int> passed;  // 10 row + column
+        for (double u = 0.003; u < 1; u += 0.01) {
+            const int i = map.texel_index(Sun(map).ray(u, 0.5).direction) - 1, place = i / 8193 * 10 + i % 8193 - far;
+            if (passed.empty() || passed.back() != place) passed.push_back(place);
+        }
+        CHECK(passed == std::vector<int>{20, 21, 30, 31, 22, 23, 32, 33});
+    }
+}
+
+TEST_CASE("ray j of m goes to the fraction (j + u) / m, weighs cos(theta), and may be lost in the shadow") {
+    const EnvironmentMap map = sunny_map();
+    const Sun sun(map);
+    int above = 0, shadowed = 0;
+    for_each_hit(test_scene(), {16, 16}, [&](int x, int y, const Hit& hit) {
+        Random drawn(1, static_cast<std::uint64_t>(16 * y + x)), here = drawn;
+        const Quotient light = light_of_sun(test_scene(), sun, hit, 3, drawn);
+        Quotient expected;
+        for (int j = 0; j < 3; ++j) {
+            const double u = (j + here.uniform()) / 3;
+            const Sun::Ray ray = sun.ray(u, here.uniform());
+            const Color weighed = std::max(0.0, dot(hit.normal, ray.direction)) * ray.colour;
+            expected.all += weighed;
+            if (!is_shadowed(test_scene(), hit, ray.direction)) expected.visible += weighed;
+        }
+        CHECK((same(light.all, expected.all) && same(light.visible, expected.visible)));
+        above += light.all.x > 0;
+        shadowed += light.visible.x < light.all.x;
+    });
+    CHECK((above > 10 && shadowed > 3));
+    CHECK(same(Quotient{{2, -1, 8}, {1, -2, 16}}.fraction(), {0.5, 1, 1}));
+    CHECK(same(Quotient{{0, 1, 1}, {0, -1, 0}}.fraction(), {1, 0, 0}));
+}
