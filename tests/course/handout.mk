@@ -1,34 +1,38 @@
 # make check        which tasks are right, which are wrong and why, and which are not written yet
 # make belief       belief.ppm: what your process believes of the light at a point, by the tasks inverse, z and integral
 
-CPPFLAGS += -D_GLIBCXX_ASSERTIONS
-ALONE = $(BUILD)/alone
-STRICT := $(shell bash -c '. tests/tasks && strict_options $(CXX)')
-UNSOLVED = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unsolved/common/*.cpp tests/unsolved/common/*/*.cpp))
+.PHONY: check belief
+WARNINGS += -Wno-unused-parameter -Wno-unused-function -Wno-unused-variable  # of what no task uses yet
 
-.PHONY: check check_programs belief
-check:
+# Headers that a task may want need no #include.
+TASK_SOURCES := $(shell grep -l 'BEGIN SOLUTION' common/*/*.cpp)
+USUAL = algorithm array cmath functional iostream map numeric set stdexcept string vector
+$(TASK_SOURCES:%.cpp=$(BUILD)/%.o): EXTRA = $(addprefix -include ,$(USUAL))
+
+# tests/check writes the handed out sources with the texts of tasks into JUDGED. A sum that begins with nothing is to be
+# wrong, and a crash to have a line. What does not compile leaves its error in a file, and the rest goes on.
+JUDGED = $(BUILD)/tests/judged
+STRICT := -O1 -g1 -w -D_GLIBCXX_ASSERTIONS -Werror=return-type -Werror=uninitialized $(shell for each in \
+    -ftrivial-auto-var-init=pattern -fno-finite-loops; do $(CXX) $$each -x c++ -fsyntax-only /dev/null 2> /dev/null && echo $$each; done)
+$(JUDGED)/usual.h.gch: $(BUILD)/settings
+	@mkdir -p $(@D) && printf '%s\n' $(USUAL:%='#include <%>') > $(JUDGED)/usual.h
+	@$(COMPILE) $(STRICT) -x c++-header $(JUDGED)/usual.h -o $@
+$(JUDGED)/%.o: $(JUDGED)/%.cpp $(BUILD)/settings | $(JUDGED)/usual.h.gch
+	@$(COMPILE) $(STRICT) -include $(JUDGED)/usual.h -MMD -MP -c $< -o $@ 2> $@.err || rm -f $@
+
+OTHERS = $(filter-out $(TASK_SOURCES:%.cpp=$(BUILD)/%.o),$(COMMON))
+$(BUILD)/tests/check_tasks.o: EXTRA = -O1 -g1
+JUDGED_PROGRAMS = $(addprefix $(JUDGED)/,check_tasks workbench renderer)
+$(JUDGED)/check_tasks: $(BUILD)/tests/check_tasks.o
+$(JUDGED)/workbench: $(BUILD)/workbench.o
+$(JUDGED)/renderer: $(BUILD)/renderer.o
+$(JUDGED_PROGRAMS): $(OTHERS) $(TASK_SOURCES:%.cpp=$(JUDGED)/%.o)
+	@$(LINK) -o $@ 2> $@.err || rm -f $@
+
+$(BUILD)/compare: $(addprefix $(BUILD)/,tests/compare.o tests/compare_text.o tests/compare_picture.o tests/picture.o common/scene/image.o common/numerics/portable_math.o)
+	$(call say,LINK $@) $(LINK) -o $@
+check: $(BUILD)/compare $(BUILD)/tests/check_tasks.o $(BUILD)/workbench.o $(BUILD)/renderer.o $(OTHERS)
 	@BUILD=$(BUILD) MAKE='$(MAKE)' bash tests/check
-check_programs: all $(BUILD)/compare $(BUILD)/unsolved.a
 
-belief: $(BUILD)/belief
-	$(BUILD)/belief > belief.ppm || (rm belief.ppm; false)
-$(BUILD)/belief: tests/belief.cpp $(COMMON)
-	$(call as,LINK $@) $(COMPILE) $^ -o $@
-
-# Tasks are tried with the hand-out as it was, whatever common/ holds now.
-$(BUILD)/tests/%.o $(ALONE)/%.o: COMPILE := $(subst -Icommon,-Itests/unsolved/common,$(COMPILE)) $(STRICT)
-
-$(BUILD)/unsolved.a: $(UNSOLVED)
-	@rm -f $@ && ar rcs $@ $^
-$(BUILD)/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/compare_text.o $(BUILD)/tests/compare_picture.o $(BUILD)/unsolved.a
-	$(call as,LINK $@) $(LINK) -o $@
-
-# For each task a program that calls its functions alone, and the two programs. tests/check writes the sources and what
-# each is made of. An error in one keeps no other from being made. Each is named when it is made.
-$(ALONE)/%.o: $(ALONE)/%.cpp $(BUILD)/settings
-	@$(COMPILE) -MMD -MP -c $< -o $@ 2> $@.err || rm -f $@
-$(ALONE)/%/program:
-	@mkdir -p $(@D)
-	@$(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^ -o $@ 2> $@.err || rm -f $@; echo $*
--include $(wildcard $(ALONE)/*.mk $(ALONE)/*/common/*/*.d)
+belief: $(BIN)/workbench
+	./workbench belief > belief.ppm || (rm belief.ppm; false)
