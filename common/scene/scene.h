@@ -84,7 +84,8 @@ inline bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vec3 directio
 // Both objects are convex, so only the other one can shadow a hit.
 inline bool is_shadowed(const Scene& scene, const Hit& hit, Vec3 direction) {
     const bool on_sphere = hit.object == Object::sphere;
-    return (on_sphere & is_shadowed_by(scene.rectangle, hit.point, direction)) |
-           (!on_sphere & is_shadowed_by(scene.sphere, hit.point, direction));
+    const bool by_rectangle = is_shadowed_by(scene.rectangle, hit.point, direction);
+    const bool by_sphere = is_shadowed_by(scene.sphere, hit.point, direction);
+    return (on_sphere & by_rectangle) | (!on_sphere & by_sphere);
 }
 }  // namespace bmc
