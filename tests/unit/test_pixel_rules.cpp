@@ -27,7 +27,8 @@ TEST_CASE("pixels share as many rules as the method says, rule i from stream 2^6
             const PixelRules rules(settings);
             std::size_t count = method == Method::pool ? 3 : 1;
             if (method == Method::direct || (method == Method::mc && !is_lattice(placement))) count = 0;
-            INFO(method_name, " ", placement_name);
+            const std::string names = method_name + std::string(" ") + placement_name;  // an INFO cannot name the pairs
+            INFO(names);
             REQUIRE(rules.shared().size() == count);
             double stability = 0, weight_sum = 0;
             for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i) {  // without a shared rule, a fresh one
@@ -50,7 +51,8 @@ TEST_CASE("a pixel has a fresh rule, a shared one, one that is turned, or one th
                 Random drawn(1, pixel), here(1, pixel);
                 const PlacedRule placed = rules.rule_for(normal, drawn);
                 Frame frame(normal);
-                INFO(method_name);
+                const std::string name = method_name;
+                INFO(name);
                 if (rules.shared().empty()) {
                     CHECK(same_rule(placed.rule(), cosine_rule(rule_from(rules.settings(), here))));
                 } else {
