@@ -13,30 +13,17 @@ using Request = bmc::PictureRequest;
 
 using namespace bmc;
 
-namespace {
-
-// What to print. Throws UsageError.
-std::string run(int argc, char** argv) {
-    Request request;
-    bool help = false;
-    Options options = request.options();
-    options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
-    const std::vector<std::string> rest = parse_options(argc, argv, options);
-    if (help)
-        return "usage: ./renderer [options] > out.ppm\n\n"
-               "Renders the sphere scene by Monte Carlo or Bayesian Monte Carlo integration.\n\n" +
-               describe(options) +
-               "\nexamples: ./renderer --method mc > mc.ppm\n"
-               "          ./renderer --method direct --samples 20 --size 100 > direct.ppm\n";
-    if (!rest.empty())
-        throw UsageError("'" + rest[0] + "' is no option; type ./renderer --help, or ./renderer > out.ppm");
-    request.require_possible();
-    require_file_output("./renderer > out.ppm");
-    return request.file(request.image(load_environment(request.environment, request.settings.threads)));
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
-    return run_program("renderer", [&] { return run(argc, argv); });
+    return run_program("renderer", [&] {
+        Request request;
+        const auto picture = [&request] {
+            request.require_possible();
+            require_file_output("./renderer > out.ppm");
+            return request.file(request.image(load_environment(request.environment, request.settings.threads)));
+        };
+        return run_command({"", "", request.options(), picture},
+                           "usage: ./renderer [options] > out.ppm\n"
+                           "       ./renderer --method direct --samples 20 --size 100 > direct.ppm\n",
+                           argc, argv);
+    });
 }

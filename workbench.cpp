@@ -5,7 +5,6 @@
 #include "experiments/belief.h"
 #include "experiments/error_table.h"
 #include "experiments/rule.h"
-#include "light/radiance_hdr.h"
 
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/commands.h")
@@ -18,55 +17,37 @@ inline std::vector<Command> commands() { return {}; }
 
 using namespace bmc;
 
-namespace {
-
-// The built-in environment for other programs, as a Radiance picture.
-std::string light_file() {
-    require_file_output("./workbench light > desert.hdr");
-    return to_radiance_hdr(load_environment());
+// The built-in environment for other programs: its texels, row 0 at the top, as a PFM.
+static std::string light_file() {
+    require_file_output("./workbench light > desert.pfm");
+    const EnvironmentMap map = load_environment();
+    Image image(map.width(), map.height());
+    for (int y = 0; y < map.height(); ++y)
+        for (int x = 0; x < map.width(); ++x) image(x, y) = map.texel(map.texel_at(x, y));
+    return to_file(image, Format::pfm);
 }
 
-std::vector<Command> commands() {
-    return std::vector<Command>{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
-                                command<RuleReport>("rule", "directions and weights of a rule"),
-                                command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
-                                {"light", "the built-in light, > desert.hdr", {}, light_file}} +
-           beyond::commands();
-}
-
-// Throws UsageError if there is no such command.
-Command command_named(const std::string& name) {
-    std::string names;
-    for (const Command& each : commands()) {
-        if (each.name == name) return each;
-        if (!each.name.empty()) names += (names.empty() ? "" : ", ") + each.name;
-    }
-    throw UsageError("there is no command '" + name + "'; type ./workbench --help, or a command: " + names);
-}
-
-std::string help_text(const Command& command, const Options& options) {
-    std::string text = "usage: ./workbench " + command.name + (command.name.empty() ? "" : " ") + "[options]\n";
-    if (command.name.empty())
-        for (const Command& each : commands())
-            text += formatted("       ./workbench %-22s", each.name.c_str()) + each.summary + '\n';
-    return text + '\n' + describe(options);
-}
-
-// What to print. Throws UsageError.
-std::string run(int argc, char** argv) {
+static std::string run(int argc, char** argv) {
+    const std::vector<Command> commands =
+        std::vector<Command>{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
+                             command<RuleReport>("rule", "directions and weights of a rule"),
+                             command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
+                             {"light", "the built-in light, > desert.pfm", {}, light_file}} +
+        beyond::commands();
     const bool named = argc > 1 && argv[1][0] != '-';
-    const Command command = command_named(named ? argv[1] : "");
-    bool help = false;
-    Options options = command.options;
-    options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
-    const std::vector<std::string> rest = parse_options(argc - named, argv + named, options);
-    if (help) return help_text(command, options);
-    if (!rest.empty())
-        throw UsageError("'" + rest[0] + "' is no option; a command comes first, and options begin with --");
-    return command.report();
+    const std::string name = named ? argv[1] : "";
+    std::string names, usages;
+    for (const Command& each : commands) {
+        if (named && each.name == name)
+            return run_command(each, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
+        names += (names.empty() ? "" : ", ") + each.name;
+        usages += formatted("       ./workbench %-22s", each.name.c_str()) + each.summary + '\n';
+    }
+    if (named)
+        throw std::invalid_argument("there is no command '" + name +
+                                    "'; type ./workbench --help, or a command: " + names);
+    return run_command(commands[0], "usage: ./workbench [options]\n" + usages, argc, argv);
 }
-
-}  // namespace
 
 int main(int argc, char** argv) {
     return run_program("workbench", [&] { return run(argc, argv); });

@@ -1,12 +1,8 @@
 #include "beyond/picture_request.h"
 
-#include <cstdio>
-
 namespace bmc::beyond {
-namespace {
-
 // sun: the fraction of the light that both pictures may miss.
-void print_prediction(const PictureSettings& settings, double rmse, double sun) {
+static void print_prediction(const PictureSettings& settings, double rmse, double sun) {
     std::string remark;
     if (sun > 0)
         remark = formatted("; it may miss the sun, %.3g %% of the light: take --known light", 100 * sun);
@@ -17,15 +13,13 @@ void print_prediction(const PictureSettings& settings, double rmse, double sun) 
 }
 
 // The root mean square of each pixel's colours, from black at 0 to white at `white`.
-Image grey_scale(Image errors, double white) {
+static Image grey_scale(Image errors, double white) {
     for (Color& pixel : errors.pixels) {
         const double level = white > 0 ? std::sqrt(dot(pixel, pixel) / 3) / white : 0;
         pixel = {level, level, level};
     }
     return errors;
 }
-
-}  // namespace
 
 Options PictureRequest::options() {
     Options all = bmc::PictureRequest::options();
@@ -50,7 +44,7 @@ Image PictureRequest::image(const EnvironmentMap& map) const {
     const double sun = light_known || (rmse == 0 && show == Show::picture) ? 0 : Sun(map).share();
     if (rmse > 0) {
         if (sun > 0)
-            throw UsageError(
+            throw std::invalid_argument(
                 formatted("--rmse: samples may miss the sun, which sends %.3g %% of the light; take --known "
                           "light",
                           100 * sun));

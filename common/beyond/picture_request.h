@@ -16,8 +16,8 @@ struct PictureRequest : bmc::PictureRequest {
 
     Options options();
 
-    // Prints the prediction on stderr. Throws UsageError for an RMSE under a sun (sun.h) that is not known, since both
-    // pictures may miss it.
+    // Prints the prediction on stderr. Throws std::invalid_argument for an RMSE under a sun (sun.h) that is not known,
+    // since both pictures may miss it.
     Image image(const EnvironmentMap& map) const;
 };
 }  // namespace bmc::beyond

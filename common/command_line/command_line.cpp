@@ -6,46 +6,34 @@
 
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 
 namespace bmc {
-namespace {
-
-void write_all(const std::string& output) {
+static void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
-#else
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe and a limit on files are then failed writes
-    std::signal(SIGXFSZ, SIG_IGN);
 #endif
     const bool written = std::fwrite(output.data(), 1, output.size(), stdout) == output.size();
-    if (!written || std::fclose(stdout) != 0)  // a short output is written here
+    if (!written || std::fclose(stdout) != 0)  // fclose writes what is buffered
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
-
-// What getopt_long returns for options[0]: above all letters.
-constexpr int first_option = 256;
-
-}  // namespace
 
 std::vector<std::string> parse_options(int argc, char** argv, const Options& options) {
     std::vector<option> table;
     for (const Option& each : options)
         table.push_back({each.name.c_str(), each.argument.empty() ? no_argument : required_argument, nullptr,
-                         first_option + static_cast<int>(table.size())});
+                         static_cast<int>(table.size())});  // an index, below all letters
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
     for (int found; (found = getopt_long_only(argc, argv, ":", table.data(), nullptr)) != -1;) {
         const std::string word = argv[optind - 1];
-        if (found == ':') throw UsageError(word + " needs a value; --help shows which");
-        if (found == '?') throw UsageError("there is no option " + word + "; --help lists them all");
-        const Option& chosen = options[static_cast<std::size_t>(found - first_option)];
+        if (found == ':') throw std::invalid_argument(word + " needs a value; --help shows which");
+        if (found == '?') throw std::invalid_argument("there is no option " + word + "; --help lists them all");
+        const Option& chosen = options[static_cast<std::size_t>(found)];
         try {
             chosen.set(optarg ? optarg : "");
-        } catch (const UsageError& error) {
-            throw UsageError("--" + chosen.name + ": " + error.what());
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument("--" + chosen.name + ": " + error.what());
         }
     }
     return {argv + (optind < argc ? optind : argc), argv + argc};  // argc may be 0
@@ -58,11 +46,20 @@ std::string describe(const Options& options) {
     return text;
 }
 
+std::string run_command(Command command, const std::string& usage, int argc, char** argv) {
+    bool help = false;
+    command.options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
+    const std::vector<std::string> rest = parse_options(argc, argv, command.options);
+    if (help) return usage + '\n' + describe(command.options);
+    if (!rest.empty()) throw std::invalid_argument("'" + rest[0] + "' is no option; --help shows what can be typed");
+    return command.report();
+}
+
 double parse_real(const std::string& text, double low, double high) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (end != text.c_str() && *end == '\0' && value >= low && value <= high) return value;
-    throw UsageError("'" + text + formatted("' is not a number from %g to %g", low, high));
+    throw std::invalid_argument("'" + text + formatted("' is not a number from %g to %g", low, high));
 }
 
 std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint64_t high) {
@@ -70,17 +67,8 @@ std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint6
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error == std::errc() && stop == end && low <= value && value <= high) return value;
-    throw UsageError("'" + text + "' is not a whole number from " + std::to_string(low) + " to " +
-                     std::to_string(high));
-}
-
-Option text_option(const char* name, const char* argument, const std::string& description, std::string& value) {
-    return {name, argument, description, [&value](const std::string& text) { value = text; }};
-}
-
-Option real_option(const char* name, const char* description, double& value, double low, double high) {
-    return {name, "X", description,
-            [&value, low, high](const std::string& text) { value = parse_real(text, low, high); }};
+    throw std::invalid_argument("'" + text + "' is not a whole number from " + std::to_string(low) + " to " +
+                                std::to_string(high));
 }
 
 int run_program(const char* name, const std::function<std::string()>& body) {
@@ -94,7 +82,7 @@ int run_program(const char* name, const std::function<std::string()>& body) {
     } catch (const Incomplete& incomplete) {
         write_all(incomplete.output);
         return fail(incomplete.what(), 1);
-    } catch (const UsageError& error) {
+    } catch (const std::invalid_argument& error) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {
         return fail("there is not enough memory; ask for fewer samples or pixels", 1);
@@ -104,6 +92,6 @@ int run_program(const char* name, const std::function<std::string()>& body) {
 }
 
 void require_file_output(const std::string& command) {
-    if (isatty(STDOUT_FILENO)) throw UsageError("the picture would go to the terminal; type " + command);
+    if (isatty(STDOUT_FILENO)) throw std::invalid_argument("the picture would go to the terminal; type " + command);
 }
 }  // namespace bmc

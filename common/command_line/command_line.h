@@ -1,27 +1,20 @@
-// What the programs share: options on getopt_long, errors, exit statuses and standard output.
+// What the programs share: options on getopt_long, exit statuses and standard output. A mistake of the caller is a
+// std::invalid_argument: what was given, what is allowed.
 #pragma once
 
 #include "numerics/formatted.h"
 #include "numerics/portable_math.h"
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace bmc {
-// A mistake of the caller: what was given, what is allowed. Exit status 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-// Output in which something is missing. It is printed all the same; exit status 1.
+// Incomplete output. It is printed all the same; the exit status is 1.
 struct Incomplete : std::runtime_error {
     std::string output;
-
     Incomplete(std::string printed, const std::string& missing)
         : std::runtime_error(missing), output(std::move(printed)) {}
 };
@@ -30,16 +23,16 @@ struct Option {
     std::string name;                             // without the dashes
     std::string argument;                         // what stands for its value in the help; empty if it takes none
     std::string description;                      // a line
-    std::function<void(const std::string&)> set;  // throws UsageError if the value is not allowed
+    std::function<void(const std::string&)> set;  // throws std::invalid_argument
 };
 using Options = std::vector<Option>;
 
-// A command of the workbench. The program's options set what report returns, the text to print.
+// What a program does. Its options set what report returns, the text to print.
 struct Command {
     std::string name;  // empty: what the workbench does without a command
     std::string summary;
     Options options;
-    std::function<std::string()> report;  // throws UsageError if options do not fit together
+    std::function<std::string()> report;  // throws std::invalid_argument if options do not fit together
 };
 
 // The command that runs an Experiment: a type with options(), which set its members, and report().
@@ -56,13 +49,17 @@ std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
     return a;
 }
 
-// Applies the options in argv, and returns the arguments that no option takes. Throws UsageError that names the option.
+// Applies the options in argv, and returns the arguments that no option takes. Throws
+// std::invalid_argument that names the option.
 std::vector<std::string> parse_options(int argc, char** argv, const Options& options);
 
 // A line for each option, for a help text.
 std::string describe(const Options& options);
 
-// The number that the whole text is. Both throw UsageError unless it lies in [low, high].
+// What the command prints for the arguments in argv: its report, or with --help the usage and its options.
+std::string run_command(Command command, const std::string& usage, int argc, char** argv);
+
+// The number that the whole text is. Both throw std::invalid_argument unless it lies in [low, high].
 double parse_real(const std::string& text, double low, double high);
 std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint64_t high);
 
@@ -77,12 +74,12 @@ std::string names_of(const std::pair<const char*, T> (&table)[count]) {
     return text;
 }
 
-// The value with this name. Throws UsageError with the list of names.
+// The value with this name. Throws std::invalid_argument with the list of names.
 template <class T, std::size_t count>
 T value_of(const std::string& wanted, const std::pair<const char*, T> (&table)[count]) {
     for (const auto& [name, value] : table)
         if (wanted == name) return value;
-    throw UsageError("'" + wanted + "' is not " + names_of(table));
+    throw std::invalid_argument("'" + wanted + "' is not " + names_of(table));
 }
 
 template <class T, std::size_t count>
@@ -92,25 +89,29 @@ const char* name_of(T wanted, const std::pair<const char*, T> (&table)[count]) {
     return "?";
 }
 
-// Options that set a value: to one with a name, to a text, to a number in [low, high], to a whole number in [1, high].
+// Options that set a value: a named one, a text, a real number in [low, high], a whole number in [1, high].
 template <class T, std::size_t count>
 Option choice_option(const char* name, const std::pair<const char*, T> (&table)[count], T& value,
                      const std::string& remark = "") {
     return {name, "NAME", names_of(table) + " (default " + name_of(value, table) + ")" + remark,
             [&](const std::string& text) { value = value_of(text, table); }};
 }
-Option text_option(const char* name, const char* argument, const std::string& description, std::string& value);
-Option real_option(const char* name, const char* description, double& value, double low, double high);
+inline Option text_option(const char* name, const char* argument, const std::string& description, std::string& value) {
+    return {name, argument, description, [&value](const std::string& text) { value = text; }};
+}
+inline Option real_option(const char* name, const char* description, double& value, double low, double high) {
+    return {name, "X", description, [=, &value](const std::string& text) { value = parse_real(text, low, high); }};
+}
 template <class T>
 Option whole_option(const char* name, const char* argument, const char* description, T& value, std::uint64_t high) {
     return {name, argument, description,
             [&value, high](const std::string& text) { value = static_cast<T>(parse_whole(text, 1, high)); }};
 }
 
-// Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after a UsageError, 1 after
-// any other exception. An exception becomes one line on stderr, which begins with the program's name.
+// Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after std::invalid_argument,
+// 1 after any other exception. An exception becomes one line on stderr, which begins with the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
 
-// Throws UsageError if stdout is a terminal, which takes no picture. command is what to type instead.
+// Throws std::invalid_argument if stdout is a terminal, which takes no picture. command is what to type instead.
 void require_file_output(const std::string& command);
 }  // namespace bmc

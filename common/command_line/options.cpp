@@ -1,27 +1,20 @@
 #include "command_line/options.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <thread>
 
 namespace bmc {
-namespace {
-
-constexpr std::uint64_t max_side = 8192;
-
-void set_size(RenderSettings& settings, const std::string& text) {
-    const std::size_t cross = std::min(text.find('x'), text.size());
-    settings.width = static_cast<int>(parse_whole(text.substr(0, cross), 1, max_side));
-    settings.height =
-        cross == text.size() ? settings.width : static_cast<int>(parse_whole(text.substr(cross + 1), 1, max_side));
+static void set_size(RenderSettings& settings, const std::string& text) {
+    const auto side = [](const std::string& number) { return static_cast<int>(parse_whole(number, 1, 8192)); };
+    const std::size_t cross = text.find('x');
+    settings.width = side(text.substr(0, cross));
+    settings.height = cross == std::string::npos ? settings.width : side(text.substr(cross + 1));
 }
 
-double brightest_channel(Color pixel) { return std::max({pixel.x, pixel.y, pixel.z}); }
-
 // Prints a warning if more than a tenth of the objects' pixels is brighter than white.
-void warn_of_exposure(const Image& image, double exposure) {
-    const auto above_white = [](Color pixel) { return brightest_channel(pixel) > 1; };
+static void warn_of_exposure(const Image& image, double exposure) {
+    const auto brightest_channel = [](Color pixel) { return std::max({pixel.x, pixel.y, pixel.z}); };
+    const auto above_white = [&](Color pixel) { return brightest_channel(pixel) > 1; };
     if (std::none_of(image.pixels.begin(), image.pixels.end(), above_white)) return;
     std::vector<double> brightness;
     for_each_hit(sphere_scene(), {image.width, image.height},
@@ -35,8 +28,6 @@ void warn_of_exposure(const Image& image, double exposure) {
                  exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2));
 }
 
-}  // namespace
-
 Options model_options(ModelSettings& s) {
     return {choice_option("covariance", covariance_names, s.covariance),
             real_option("smoothness", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, 1.001, 1.999),
@@ -47,14 +38,6 @@ Options model_options(ModelSettings& s) {
             choice_option("placement", placement_names, s.placement),
             {"seed", "K", "seed of the random numbers (default 1)",
              [&s](const std::string& text) { s.seed = parse_whole(text, 0, UINT64_MAX); }}};
-}
-
-void require_closed_form(const ModelSettings& settings) {
-    try {
-        settings.make_covariance().zz(settings.known);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
 }
 
 PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
@@ -76,9 +59,7 @@ Options PictureRequest::options() {
 void PictureRequest::require_possible() const {
     const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
     if (!one_lattice && settings.samples > max_process_samples)
-        throw UsageError("--samples: " + std::to_string(settings.samples) + " are too many, at most " +
-                         std::to_string(max_process_samples) + " are allowed but for --method mc on a lattice");
-    if (settings.method != Method::mc) require_closed_form(settings);
+        throw std::invalid_argument("--samples: at most 4096 are allowed, except for --method mc on a lattice");
 }
 
 Image PictureRequest::image(const EnvironmentMap& light) const {
@@ -99,15 +80,14 @@ std::string PictureRequest::file(Image image) const {
 
 void warn_of_weights(const PixelRules& rules) {
     if (rules.stability() > 2)
-        std::fprintf(
-            stderr,
-            "renderer: warning: the sizes of a rule's weights sum to %.3g times the integral of the known part "
-            "(usual: 1 to 1.3), so errors grow; take the default covariance, or --noise 0.1\n",
-            rules.stability());
+        std::fprintf(stderr,
+                     "renderer: warning: the sizes of a rule's weights sum to %.3g times the known integral (usual: 1 "
+                     "to 1.3), so errors grow; take the default covariance, or --noise 0.1\n",
+                     rules.stability());
     else if (rules.weight_sum() < 0.5)
         std::fprintf(stderr,
-                     "renderer: warning: a rule's weights sum to %.3g times the integral of the known part (usual: 0.9 "
-                     "to 1), so the picture is too dark; take the default covariance and noise\n",
+                     "renderer: warning: a rule's weights sum to %.3g times the known integral (usual: 0.9 to 1), so "
+                     "the picture is too dark; take the default covariance and noise\n",
                      rules.weight_sum());
 }
 }  // namespace bmc

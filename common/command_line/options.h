@@ -10,14 +10,11 @@ namespace bmc {
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
 constexpr std::uint64_t max_process_samples = 4096;
 
-// For the help text of an option that takes the name of a light.
+// The help text of an option that takes the name of a light.
 constexpr const char* environment_help = "a Radiance .hdr file, bright-desert, black-and-white (default desert)";
 
-// Of a process: covariance, smoothness, length-scale, noise, known; of its samples: placement, seed.
+// The options of a process (covariance, smoothness, length-scale, noise, known) and of its samples (placement, seed).
 Options model_options(ModelSettings& settings);
-
-// Throws UsageError for a known part with which the covariance has no closed form.
-void require_closed_form(const ModelSettings& settings);
 
 struct PictureRequest {
     RenderSettings settings;
@@ -29,13 +26,13 @@ struct PictureRequest {
 
     Options options();
 
-    // Throws UsageError for settings that no picture can be rendered by.
+    // Throws std::invalid_argument for more samples than a Gaussian process can have.
     void require_possible() const;
 
     // The image of linear radiance. Throws what the Gaussian processes throw.
     Image image(const EnvironmentMap& light) const;
 
-    // The image as a file. PPM: with 2^exposure times the radiance.
+    // The image as a file; a PPM has 2^exposure times the radiance.
     std::string file(Image image) const;
 };
 

@@ -3,8 +3,6 @@
 #include "experiments/integrands.h"
 #include "numerics/parallel.h"
 
-#include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <thread>
 
@@ -13,7 +11,7 @@ namespace {
 
 constexpr int disc = 200, subpixels = 3;  // pixels on a side of a disc; subpixels on a side of a pixel
 constexpr double error_scale = 2.5;       // in the last two discs a luminance of 0.4 is white
-constexpr double dot_radius = 0.018;      // of a sample, in radii of the disc
+constexpr double dot_radius = 0.018;      // of a sample's dot, in radii of the disc
 constexpr Color white{1, 1, 1}, grey{0.18, 0.18, 0.18};
 
 // A point of the rectangle, the light above it, and what a process believes of that light.
@@ -35,7 +33,7 @@ public:
     }
 
     // The colour at (u, v) of disc 0 to 3, of radius 1, v downwards. A disc is the hemisphere in Lambert's equal-area
-    // projection: y is 1 - u^2 - v^2. Who looks up with -z ahead has x on the left.
+    // projection: y is 1 - u^2 - v^2. Looking up with -z ahead, x is on the left.
     Color color(int number, double u, double v) const {
         const double y = 1 - u * u - v * v, s = std::sqrt(1 + y);
         if (y <= 0) return grey;
@@ -84,7 +82,6 @@ Options Belief::options() {
 }
 
 std::string Belief::report() const {
-    require_closed_form(settings);
     require_file_output("./workbench belief > belief.ppm");
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     const EnvironmentMap map = load_environment(environment, threads);

@@ -1,29 +1,27 @@
 #include "experiments/error_table.h"
 
-#include <algorithm>
+#include <sstream>
 
 namespace bmc {
-namespace {
-
 // A list such as 10,20,40.
-std::vector<std::size_t> parse_samples(const std::string& text) {
+static std::vector<std::size_t> parse_samples(const std::string& text) {
     std::vector<std::size_t> numbers;
-    for (std::size_t begin = 0, end; begin <= text.size(); begin = end + 1) {
-        end = std::min(text.find(',', begin), text.size());
-        numbers.push_back(parse_whole(text.substr(begin, end - begin), 1, max_process_samples));
-    }
+    std::istringstream words(text + ',');
+    for (std::string word; std::getline(words, word, ',');)
+        numbers.push_back(parse_whole(word, 1, max_process_samples));
     return numbers;
 }
 
-// 0 if it is only rounding, so that programs that multiply in another order agree.
-double absolute_error(double estimate, double truth) {
+// An error that is only rounding is 0, so that programs that multiply in another order agree.
+static double absolute_error(double estimate, double truth) {
     const double error = std::fabs(estimate - truth);
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// Adds the errors of mc_estimates estimates of Monte Carlo. Estimate e has the directions of estimate_directions.
+// Adds the errors of the estimates e = 0, 1, ... of Monte Carlo, mc_estimates of them. Estimate e has the directions of
+// estimate_directions(settings, row.samples, e).
 // BEGIN SOLUTION table
-void add_mc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
+static void add_mc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
     for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
         const QuadratureRule rule = monte_carlo_rule(estimate_directions(settings, row.samples, e));
         row.mc.add(absolute_error(apply(rule, integrand), integrand.truth));
@@ -34,7 +32,7 @@ void add_mc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSetting
 // The same for Bayesian Monte Carlo, and the absolute errors that it predicts. A normal error of the standard deviation
 // s has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
-void add_bmc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
+static void add_bmc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
     const Covariance covariance = settings.make_covariance();
     for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
         const DirectionSet set = estimate_directions(settings, row.samples, e);
@@ -47,29 +45,22 @@ void add_bmc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettin
 // END SOLUTION
 
 // Four digits, or - for what is not finite.
-std::string cell(int width, double number) {
+static std::string cell(int width, double number) {
     return formatted("%*s", width, std::isfinite(number) ? formatted("%.4g", number).c_str() : "-");
 }
 
-std::string mean_cells(const Statistics& errors, int width) {
+static std::string mean_cells(const Statistics& errors, int width) {
     return cell(width, errors.count > 0 ? errors.mean : NAN) + cell(10, errors.standard_error());
 }
 
-// Throws UsageError if there is no integrand of that name.
-std::vector<Integrand> integrands_named(const std::string& name) {
-    std::string names;
-    const std::vector<Integrand> all = practice_integrands();
-    if (name.empty()) return all;
-    for (const Integrand& integrand : all) {
-        if (integrand.name == name) return {integrand};
-        names += (names.empty() ? "" : ", ") + integrand.name;
-    }
-    throw UsageError("--integrand: '" + name + "' is none of " + names);
+// Throws std::invalid_argument if there is none.
+static std::vector<Integrand> integrands_named(const std::string& name) {
+    std::vector<Integrand> named;
+    for (const Integrand& integrand : practice_integrands())
+        if (name.empty() || integrand.name == name) named.push_back(integrand);
+    if (named.empty()) throw std::invalid_argument("--integrand: none has the name '" + name + "'; --help lists them");
+    return named;
 }
-
-}  // namespace
-
-double ErrorRow::gain() const { return mc.mean > 0 && bmc.mean > 0 ? mc.mean / bmc.mean : NAN; }
 
 ErrorRow error_row(const Integrand& integrand, std::size_t samples, const ErrorSettings& settings) {
     ErrorRow row{samples, {}, {}, {}};
@@ -106,15 +97,17 @@ Options ErrorTables::options() {
 }
 
 std::string ErrorTables::report() const {
-    require_closed_form(settings);
     std::string text, refused, reason;
     for (const Integrand& each : integrands_named(integrand)) {
         std::vector<ErrorRow> rows;
         for (const std::size_t n : settings.samples) rows.push_back(error_row(each, n, settings));
         text += (text.empty() ? "" : "\n\n") + error_report(each, rows, settings.placement);
         refused.clear();  // the same for every integrand
-        for (const ErrorRow& row : rows)
-            if (!row.refusal.empty()) refused += ' ' + std::to_string(row.samples), reason = row.refusal;
+        for (const ErrorRow& row : rows) {
+            if (row.refusal.empty()) continue;
+            refused += ' ' + std::to_string(row.samples);
+            reason = row.refusal;
+        }
     }
     if (!refused.empty()) throw Incomplete(text, "no Gaussian process with these samples:" + refused + "; " + reason);
     return text;

@@ -12,15 +12,15 @@ struct ErrorSettings : ModelSettings {
     std::size_t mc_estimates = 100, bmc_estimates = 10;
 };
 
-// Absolute errors of Monte Carlo and of Bayesian Monte Carlo, and those that the latter predicts. If the
-// process is refused, it has no errors.
+// Absolute errors of Monte Carlo and of Bayesian Monte Carlo, and those that the process predicts. A
+// process that is refused has no errors.
 struct ErrorRow {
     std::size_t samples;
     Statistics mc, bmc, predicted;
     std::string refusal = {};  // the reason, if the process was refused
 
     // How many times larger the error of Monte Carlo is; nan if one of the two is 0.
-    double gain() const;
+    double gain() const { return mc.mean > 0 && bmc.mean > 0 ? mc.mean / bmc.mean : NAN; }
 
     // The number of random samples with which Monte Carlo has the error of Bayesian Monte Carlo: its error falls as
     // 1 / sqrt(n).

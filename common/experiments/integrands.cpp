@@ -5,13 +5,11 @@
 #include <numeric>
 
 namespace bmc {
-using portable::pi;
-
 std::vector<Integrand> practice_integrands() {
-    return {{"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, pi},
-            {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, pi / 2},
+    return {{"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, portable::pi},
+            {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, portable::pi / 2},
             environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
-            {"constant", "1", [](Vec3) { return 1.0; }, 2 * pi}};
+            {"constant", "1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
@@ -28,7 +26,6 @@ double dense_quadrature(const Integrand& integrand) {
 
 std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> values;
-    values.reserve(directions.size());
     for (const Vec3& w : directions) values.push_back(integrand.value(w) / known_part(known, w));
     return values;
 }
@@ -38,7 +35,7 @@ double apply(const QuadratureRule& rule, const Integrand& integrand) {
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 
-// n and e make a random stream of their own.
+// n and e select the random stream.
 DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e) {
     Random random(settings.seed, (std::uint64_t{n} << 32) + e);
     return place_directions(settings.placement, n, random);

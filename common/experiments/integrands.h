@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace bmc {
 // A function over the hemisphere and its integral w.r.t. solid angle.

@@ -1,15 +1,12 @@
 #include "experiments/rule.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 
 namespace bmc {
-namespace {
-
-std::string matrix_block(const char* name, const Matrix& matrix) {
+static std::string matrix_block(const char* name, const Matrix& matrix) {
     std::string text = formatted("\n\n# %s, %zu x %zu\n", name, matrix.rows(), matrix.columns());
     for (std::size_t i = 0; i < matrix.rows(); ++i)
         for (std::size_t j = 0; j < matrix.columns(); ++j)
@@ -17,7 +14,7 @@ std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
-std::string weights_block(const GaussianProcess& process, Known known) {
+static std::string weights_block(const GaussianProcess& process, Known known) {
     std::string text = "#       x         y         z          z_j       weight\n";
     std::size_t negative = 0;
     for (std::size_t i = 0; i < process.weights().size(); ++i) {
@@ -36,7 +33,7 @@ std::string weights_block(const GaussianProcess& process, Known known) {
                known_integral(known), relative_weight_sum(rule), stability_constant(rule), negative);
 }
 
-std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
+static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
     const double amplitude = process.amplitude(values);
     return formatted(
         "# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %s\n",
@@ -44,32 +41,31 @@ std::string estimate_line(const GaussianProcess& process, Known known, const std
         amplitude > 0 ? formatted("%.6g", process.standard_error(values)).c_str() : "unknown, since all values are 0");
 }
 
-}  // namespace
-
 Samples read_samples(std::istream& in) {
     Samples samples;
     std::size_t number = 0;
-    const auto require = [&number](bool right, const char* rule) {
-        if (!right) throw std::runtime_error(formatted("line %zu: %s", number, rule));
-    };
     for (std::string line; std::getline(in, line);) {
         ++number;
         std::istringstream words(line.substr(0, line.find('#')));
         std::vector<double> columns;
+        bool finite = true;
         for (std::string word; words >> word;) {
             char* end = nullptr;
             columns.push_back(std::strtod(word.c_str(), &end));
-            require(*end == '\0' && std::isfinite(columns.back()), "a line has finite numbers, and nothing else");
+            finite &= *end == '\0' && std::isfinite(columns.back());
         }
         if (columns.empty()) continue;
-        require(columns.size() >= 3 && columns.size() <= 5, "a line is x y z, x y z value, or x y z z_j weight");
-        const Vec3 w{columns[0], columns[1], columns[2]};
-        require(std::fabs(length(w) - 1) <= 1e-6 && w.y >= 0, "a direction has the length 1, and its y is at least 0");
+        const std::size_t n = finite ? columns.size() : 0;
+        const Vec3 w = n >= 3 && n <= 5 ? Vec3{columns[0], columns[1], columns[2]} : Vec3{};
+        if (!(std::fabs(length(w) - 1) <= 1e-6 && w.y >= 0))
+            throw std::runtime_error(
+                formatted("line %zu: it should be x y z, x y z value, or x y z z_j weight", number) +
+                ", with a direction (x, y, z) above the horizon");
         samples.directions.push_back(w);
         if (columns.size() == 4) samples.values.push_back(columns[3]);
-        require(samples.values.empty() || samples.values.size() == samples.directions.size(),
-                "all lines have values, or none has");
     }
+    if (!samples.values.empty() && samples.values.size() != samples.directions.size())
+        throw std::runtime_error("all lines have values, or none has");
     if (samples.directions.empty() || samples.directions.size() > max_process_samples)
         throw std::runtime_error(
             formatted("there are %zu directions, and 1 to 4096 are allowed", samples.directions.size()));
@@ -85,7 +81,6 @@ Options RuleReport::options() {
 }
 
 std::string RuleReport::report() const {
-    require_closed_form(settings);
     Samples given;
     if (directions.empty()) {
         Random random(settings.seed, 0);

@@ -3,10 +3,8 @@
 
 #include "numerics/portable_math.h"
 
-#include <cmath>
-
 namespace bmc {
-// Welford, "Note on a method for calculating corrected sums of squares and products", Technometrics 1962.
+// Welford's algorithm (Technometrics 1962, page 419).
 struct Statistics {
     double count = 0, mean = 0;
     double squares = 0;  // sum of the squared differences from the mean

@@ -3,29 +3,26 @@
 #include "light/radiance_hdr.h"
 #include "numerics/parallel.h"
 
-#include <cstdint>
 #include <fstream>
 #include <stdexcept>
 
 namespace bmc {
-namespace {
-
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
 
 constexpr Color zenith{0.03, 0.17, 0.56}, horizon{0.72, 0.70, 0.66}, sand{0.58, 0.31, 0.14}, rock{0.62, 0.23, 0.10};
 
-double clamp01(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
+static double clamp01(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
 
-Color mix(Color a, Color b, double t) { return (1 - t) * a + t * b; }
+static Color mix(Color a, Color b, double t) { return (1 - t) * a + t * b; }
 
 // 0 below -width / 2, 1 above width / 2. The default is one and a half texels, so that silhouettes do not alias.
-double edge(double distance, double width = 0.009) {
+static double edge(double distance, double width = 0.009) {
     const double t = clamp01(distance / width + 0.5);
     return t * t * (3 - 2 * t);
 }
 
 // Uniform in [0, 1) at every lattice point: a mixed product of large odd numbers.
-double lattice(int i, int j) {
+static double lattice(int i, int j) {
     std::uint32_t h = static_cast<std::uint32_t>(i) * 0x9e3779b1u ^ static_cast<std::uint32_t>(j) * 0x85ebca77u;
     h = (h ^ (h >> 15)) * 0x2c1b3c6du;
     h = (h ^ (h >> 12)) * 0x297a2d39u;
@@ -33,7 +30,7 @@ double lattice(int i, int j) {
 }
 
 // Smooth noise in [0, 1) with features of size 1.
-inline double noise(double x, double y) {
+static inline double noise(double x, double y) {
     const double floor_x = std::floor(x), floor_y = std::floor(y);
     const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
     const double s = edge(x - floor_x - 0.5, 1), t = edge(y - floor_y - 0.5, 1);
@@ -42,9 +39,9 @@ inline double noise(double x, double y) {
 }
 
 // 1 in a disc of radius 5 degrees around the sun, 0 outside.
-inline double sun_disc(double to_sun) { return edge(to_sun - 0.9981, 0.001); }
+static inline double sun_disc(double to_sun) { return edge(to_sun - 0.9981, 0.001); }
 
-inline Color sky(Vec3 d) {
+static inline Color sky(Vec3 d) {
     const double to_sun = clamp01(0.5 + 0.5 * dot(d, sun)), glow = to_sun * to_sun * to_sun * to_sun;
     const double halo = 0.004 / (0.004 + (1 - to_sun));
     const Color air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
@@ -53,7 +50,7 @@ inline Color sky(Vec3 d) {
 }
 
 // Dunes on a plane one unit below the eye; haze swallows them with distance.
-Color ground(Vec3 d) {
+static inline Color ground(Vec3 d) {
     const double distance = 1 / (0.01 - d.y);
     const double x = 0.6 * distance * d.x, z = 0.6 * distance * d.z;
     const double slope = noise(x + 0.2, 1.6 * z + 0.2) - noise(x - 0.2, 1.6 * z - 0.2);
@@ -62,17 +59,17 @@ Color ground(Vec3 d) {
 }
 
 // A skyline around the horizon: flat tops where the noise is high, gentle hills elsewhere.
-double skyline(Vec3 d, double scale, double height) {
+static double skyline(Vec3 d, double scale, double height) {
     const double to_circle = scale / std::sqrt(d.x * d.x + d.z * d.z + 1e-9);
     const double n = noise(to_circle * d.x + 40 * scale, to_circle * d.z);
     return height * (0.15 + 0.25 * n + 0.6 * edge(n - 0.62, 0.12)) - d.y;
 }
 
-inline Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
+static inline Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
 
 // A fin of sandstone in the plane z = -1 around the hole |x / 0.48|^3 + |(y + 0.12) / 0.585|^3 < 1. Its surface bends
 // towards the nearer border.
-Color arch(Color behind, Vec3 d) {
+static inline Color arch(Color behind, Vec3 d) {
     const double u = d.x / -d.z, v = d.y / -d.z;
     if (!(d.z < 0 && std::fabs(u) < 1 && v < 0.7 && v > -0.1)) return behind;
     const double x = u + 0.06 * (noise(7 * u, 7 * v) - 0.5), y = v + 0.06 * (noise(7 * u, 7 * v + 50) - 0.5);
@@ -89,71 +86,53 @@ Color arch(Color behind, Vec3 d) {
 }
 
 // Mountains up to a skyline, of rock that haze pales.
-inline Color mountains(Color behind, Vec3 d, double scale, double height, double foot, double strata_scale,
-                       double haze) {
+static inline Color mountains(Color behind, Vec3 d, double scale, double height, double foot, double strata_scale,
+                              double haze) {
     const Color paled = mix(strata(strata_scale * d.y), horizon, haze);
     return mix(behind, paled, edge(skyline(d, scale, height)) * edge(d.y + foot));
 }
 
-// A row of texels: the directions of their centres, all of one elevation, and their colours.
-struct Row {
-    std::vector<Vec3> directions;
-    std::vector<Color> colors;
-
-    // Lays a layer over what is behind it. A loop without a call, so that neighbours are computed side by side.
-    template <class Layer>
-    void paint(Layer layer) {
-        for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = layer(colors[i], directions[i]);
-    }
-};
-
-// All layers, but for those that cannot be seen at this elevation.
-void desert(Row& row) {
-    const double y = row.directions[0].y, above = edge(y);
-    if (above < 1) row.paint([](Color, Vec3 d) { return ground(d); });
-    if (above > 0) row.paint([above](Color behind, Vec3 d) { return mix(behind, sky(d), above); });
-    if (y > 0.5 || y < -0.1) return;
-    if (y < 0.14) row.paint([](Color behind, Vec3 d) { return mountains(behind, d, 3, 0.13, 0, 3, 0.62); });
-    if (y < 0.09) row.paint([](Color behind, Vec3 d) { return mountains(behind, d, 5, 0.08, 0.01, 2, 0.35); });
-    row.paint(arch);
-    row.paint([](Color c, Vec3) { return Color{clamp01(c.x), clamp01(c.y), clamp01(c.z)}; });
+// All layers, the far ones first, except those that cannot be seen at this height.
+static inline Color desert(Vec3 d) {
+    const double above = edge(d.y);
+    Color color = above < 1 ? ground(d) : Color{};
+    if (above > 0) color = mix(color, sky(d), above);
+    if (d.y > 0.5 || d.y < -0.1) return color;
+    if (d.y < 0.14) color = mountains(color, d, 3, 0.13, 0, 3, 0.62);
+    if (d.y < 0.09) color = mountains(color, d, 5, 0.08, 0.01, 2, 0.35);
+    color = arch(color, d);
+    return {clamp01(color.x), clamp01(color.y), clamp01(color.z)};
 }
 
-void bright_desert(Row& row) {
-    desert(row);
-    row.paint([](Color behind, Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * behind; });
-}
+static inline Color bright_desert(Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert(d); }
 
-void black_and_white(Row& row) {
-    row.paint([](Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; });
-}
+static inline Color black_and_white(Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
 
-EnvironmentMap painted(void (*paint)(Row&), unsigned threads) {
+// The map of a light, from what it is at the centres of texels.
+template <Color light(Vec3)>
+static EnvironmentMap painted(unsigned threads) {
     constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
     EnvironmentMap map(width, height);
     for_each_row(height, threads, [&](int j) {
-        Row row{{}, std::vector<Color>(width)};
-        const portable::SineCosine polar = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
-        for (const portable::SineCosine& azimuth : azimuths)
-            row.directions.push_back({polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine});
-        paint(row);
-        for (int i = 0; i < width; ++i) map.set(i, j, row.colors[static_cast<std::size_t>(i)]);
+        const auto [sine, cosine] = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
+        for (int i = 0; i < width; ++i) {
+            const portable::SineCosine azimuth = azimuths[static_cast<std::size_t>(i)];
+            map.set(i, j, light({sine * azimuth.sine, cosine, -sine * azimuth.cosine}));
+        }
     });
     return map;
 }
 
-}  // namespace
-
 EnvironmentMap load_environment(const std::string& name, unsigned threads) {
-    if (name == built_in_lights[0]) return painted(desert, threads);
-    if (name == built_in_lights[1]) return painted(bright_desert, threads);
-    if (name == built_in_lights[2]) return painted(black_and_white, threads);
+    if (name == built_in_lights[0]) return painted<desert>(threads);
+    if (name == built_in_lights[1]) return painted<bright_desert>(threads);
+    if (name == built_in_lights[2]) return painted<black_and_white>(threads);
     std::ifstream file(name, std::ios::binary);
     if (!file)
         throw std::runtime_error(name + ": no file that can be read has this name, and no built-in light: they are " +
-                                 built_in_lights[0] + ", " + built_in_lights[1] + " and " + built_in_lights[2]);
+                                 "desert, bright-desert and black-and-white");
     try {
         return read_radiance_hdr(file);
     } catch (const std::runtime_error& error) {

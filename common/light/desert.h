@@ -4,14 +4,13 @@
 #include "light/environment.h"
 
 #include <string>
-#include <vector>
 
 namespace bmc {
 // Maps of 1024 x 512 texels of linear RGB radiance.
 //   desert           an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the
 //                    arch; radiance in [0, 1]
-//   bright-desert    the same with a sun a thousand times as bright, as real suns are, or brighter: it sends four
-//                    fifths of the light
+//   bright-desert    the same with a sun a thousand times as bright, as real suns are: it sends four fifths of the
+//                    light
 //   black-and-white  the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere
 constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
 

@@ -3,7 +3,6 @@
 #include "numerics/formatted.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 
 namespace bmc {

@@ -39,7 +39,8 @@ public:
     int height() const { return grid_.height; }
     const TexelGrid& grid() const { return grid_; }
 
-    // The number of the texel in column x of row y. Texel 0 is none of these: it is black, for rays in the shadow.
+    // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the
+    // shadow.
     int texel_at(int x, int y) const { return 1 + y * width() + x; }
     Color texel(int i) const {
         const float* rgb = &rgb_[3 * static_cast<std::size_t>(i)];
@@ -48,7 +49,7 @@ public:
 
     // The number of the texel that a direction of unit length meets. This runs for every ray: it is arithmetic without
     // a branch, which a compiler computes for several rays at once. Rounding can carry u or v past 0 or 1, and the
-    // conversion to int forgets that. The polynomials err by 4e-6 of a texel in a map 1024 wide.
+    // conversion to int drops that error. The polynomials err by 4e-6 of a texel in a map 1024 wide.
     int texel_index(Vec3 direction) const {
         return texel_at(static_cast<int>(grid_.column(direction.x, direction.z)),
                         static_cast<int>(grid_.row(direction.y)));
@@ -57,7 +58,8 @@ public:
     // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
     Color radiance(Vec3 direction) const { return texel(texel_index(direction)); }
 
-    // The same interpolated between the centres of the four nearest texels: for an eye, which would see their edges.
+    // The same interpolated between the centres of the four nearest texels: for the background, where an eye would see
+    // their edges.
     Color interpolated_radiance(Vec3 direction) const;
 
 private:

@@ -1,14 +1,9 @@
 #include "light/radiance_hdr.h"
 
-#include "numerics/formatted.h"
-
-#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdio>
 #include <istream>
 #include <stdexcept>
-#include <vector>
 
 namespace bmc {
 namespace {
@@ -49,13 +44,10 @@ unsigned char byte(std::istream& in) {
     return static_cast<unsigned char>(c);
 }
 
-// No encoder writes the mantissas 1, 1, 1 for a colour: the largest is at least 128.
 Rgbe texel(std::istream& in) {
     Rgbe rgbe;
     for (unsigned char& component : rgbe) component = byte(in);
-    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1)
-        throw std::runtime_error(
-            "runs of the oldest kind are not supported; save the picture again by another program");
+    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) throw std::runtime_error("runs of the oldest kind: save it anew");
     return rgbe;
 }
 
@@ -93,32 +85,12 @@ EnvironmentMap read_radiance_hdr(std::istream& in) {
     std::vector<Rgbe> scanline(static_cast<std::size_t>(size.width));
     std::vector<float> rgb;
     for (int row = 0; row < size.height; ++row) {
-        try {
-            read_scanline(in, scanline);
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(formatted("row %d: ", row) + error.what());
-        }
+        read_scanline(in, scanline);
         for (const Rgbe& rgbe : scanline) {
             const float scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0f, rgbe[3] - 136);
             for (std::size_t i = 0; i < 3; ++i) rgb.push_back(static_cast<float>(rgbe[i]) * scale);
         }
     }
     return EnvironmentMap(size.width, size.height, std::move(rgb));
-}
-
-std::string to_radiance_hdr(const EnvironmentMap& map) {
-    std::string bytes = formatted("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", map.height(), map.width());
-    const auto append = [&](double byte) { bytes += static_cast<char>(static_cast<unsigned char>(byte)); };
-    for (int i = 0; i < map.width() * map.height(); ++i) {
-        const Color color = map.texel(i + 1);
-        const double largest = std::max({color.x, color.y, color.z});
-        int e;  // largest = m 2^e with m in [1/2, 1); one more where the mantissa rounds to 256
-        if (std::frexp(largest, &e) * 256 >= 255.5) ++e;
-        e = largest > 0 ? std::clamp(e, -127, 127) : -127;
-        for (const double channel : {color.x, color.y, color.z})
-            append(std::min(std::floor(std::ldexp(channel, 8 - e) + 0.5), 255.0));
-        append(e + 128);
-    }
-    return bytes;
 }
 }  // namespace bmc

@@ -4,17 +4,11 @@
 #include "light/environment.h"
 
 #include <iosfwd>
-#include <string>
 
 namespace bmc {
 // Reads a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
 // radiance = mantissa * 2^(exponent - 136), exactly. Scanlines may be flat or run-length coded, but not in the way of
 // before 1991; the resolution line must be "-Y height +X width". EXPOSURE is ignored, as the practice's loader does.
-// Memory grows with what the file holds, and with one scanline. Throws std::runtime_error: one line with the problem
-// and, within the picture, its row (0 at the top).
+// Memory grows with what the file holds, and with one scanline. Throws std::runtime_error: one line with the problem.
 EnvironmentMap read_radiance_hdr(std::istream& in);
-
-// The map as such a picture, with flat scanlines. A radiance is rounded to a multiple of 2^(exponent - 136); the
-// largest of a texel has a mantissa of at least 128. From 2^127 on it is clamped.
-std::string to_radiance_hdr(const EnvironmentMap& map);
 }  // namespace bmc

@@ -2,26 +2,19 @@
 
 #include "numerics/formatted.h"
 
-#include <cmath>
-
 namespace bmc {
-NotPositiveDefinite::NotPositiveDefinite(const Matrix& a, std::size_t index_of_pivot, double pivot, double least)
-    : std::runtime_error(formatted("the matrix of %zu samples is not positive definite: pivot %zu is %.3g and must "
-                                   "exceed %.2g; take the default covariance and noise, or --noise 0.1",
-                                   a.rows(), index_of_pivot, pivot, least)),
-      index(index_of_pivot) {}
-
 double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
     const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(a(k, k));
-    if (!(pivot > least)) throw NotPositiveDefinite(a, k, pivot, least);
+    if (!(pivot > least))
+        throw NotPositiveDefinite(
+            formatted("the matrix of %zu samples is not positive definite: pivot %zu is %.3g", a.rows(), k, pivot) +
+            "; take the default covariance and noise, or --noise 0.1");
     return std::sqrt(pivot);
 }
 
-namespace {
-
 // BEGIN SOLUTION inverse
-// U, row after row. The innermost loop runs along rows, where elements do not depend on each other.
-Matrix upper_factor(const Matrix& a) {
+// Computes U row by row. The innermost loop runs along a row, whose elements do not depend on each other.
+static Matrix upper_factor(const Matrix& a) {
     const std::size_t n = a.rows();
     Matrix u(n, n);
     for (std::size_t k = 0; k < n; ++k) {
@@ -34,8 +27,6 @@ Matrix upper_factor(const Matrix& a) {
     return u;
 }
 // END SOLUTION
-
-}  // namespace
 
 Cholesky::Cholesky(const Matrix& a) : upper_(0, 0) {
     if (a.rows() != a.columns()) throw std::invalid_argument("cholesky: the matrix must be square");

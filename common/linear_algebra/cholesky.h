@@ -6,18 +6,15 @@
 #include "linear_algebra/matrix.h"
 
 #include <stdexcept>
-#include <vector>
 
 namespace bmc {
 // Thrown for a pivot that is not positive, or no larger than its rounding error (k + 1) eps a_kk (Higham, "Accuracy and
 // Stability of Numerical Algorithms", 2002, section 10.1). Two rows are then nearly the same.
 struct NotPositiveDefinite : std::runtime_error {
-    NotPositiveDefinite(const Matrix& a, std::size_t index_of_pivot, double pivot, double least);
-
-    std::size_t index;  // row of the pivot, from 0
+    using std::runtime_error::runtime_error;
 };
 
-// u_kk, the root of the pivot of row k: of a_kk - sum over i < k of u_ik^2. Throws NotPositiveDefinite.
+// u_kk: the square root of the pivot a_kk - sum over i < k of u_ik^2. Throws NotPositiveDefinite.
 double root_of_pivot(const Matrix& a, std::size_t k, double pivot);
 
 class Cholesky {

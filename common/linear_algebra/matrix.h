@@ -4,7 +4,6 @@
 
 #include "numerics/portable_math.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace bmc {

@@ -1,8 +1,5 @@
 #include "numerics/portable_math.h"
 
-#include <cmath>
-#include <limits>
-
 namespace bmc::portable {
 namespace {
 
@@ -16,7 +13,7 @@ constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
 // x with only the leading bits of its significand: a product is exact if the bits of its factors add up to 53 or less.
 template <int bits>
 double leading_bits(double x) {
-    return from_bits(bits_of(x) & ~((std::uint64_t{1} << (53 - bits)) - 1));
+    return bit_cast<double>(bit_cast<std::uint64_t>(x) >> (53 - bits) << (53 - bits));
 }
 
 // The unevaluated sum hi + lo of two doubles, which holds more digits than one.
@@ -77,7 +74,7 @@ SineCosine sincos_turns(double turns) {
         1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
     // 2 pi = two_pi_hi + two_pi_lo; two_pi_hi has 26 bits.
     constexpr double two_pi_hi = 0x1.921fb5p+2, two_pi_lo = 0x1.110b4611a6263p-24;
-    // Exact; it would not be so for small negative numbers.
+    // This is exact; for small negative numbers the subtraction would not be.
     const double fraction = std::fabs(turns) < 1 ? turns : turns - std::floor(turns);
     if (fraction != fraction) return {nan, nan};
     // Octants 2q - 1 and 2q belong to quadrant q. Rounding 4 * fraction instead would err beside the odd eighths.

@@ -11,9 +11,7 @@
 #error "fast-math reorders sums and changes the output: compile without -ffast-math, -Ofast and their parts"
 #endif
 
-// Compilers contract a * b + c to one fused operation where the processor has it, which rounds once instead of twice.
-// These lines are for whoever compiles without the Makefile. (clang disregards them if the command line says
-// -ffp-contract=fast.)
+// A contracted a * b + c rounds once instead of twice. These lines are for whoever compiles without the Makefile.
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
@@ -52,8 +50,6 @@ To bit_cast(From from) {
     std::memcpy(&to, &from, sizeof to);
     return to;
 }
-inline std::uint64_t bits_of(double x) { return bit_cast<std::uint64_t>(x); }
-inline double from_bits(std::uint64_t bits) { return bit_cast<double>(bits); }
 
 // e^x. Error at most 1 ulp (unit in the last place). exp(-inf) = 0, exp(inf) = inf, exp(nan) = nan; overflow gives inf,
 // underflow goes through the subnormal numbers to 0.

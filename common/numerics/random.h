@@ -5,8 +5,6 @@
 
 #include "numerics/portable_math.h"
 
-#include <cstdint>
-
 namespace bmc {
 class Random {
 public:

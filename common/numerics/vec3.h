@@ -3,8 +3,6 @@
 
 #include "numerics/portable_math.h"
 
-#include <cmath>
-
 namespace bmc {
 struct Vec3 {
     double x = 0, y = 0, z = 0;

@@ -3,7 +3,6 @@
 #include "numerics/formatted.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace bmc {
@@ -11,16 +10,17 @@ using portable::pi;
 
 namespace {
 
-// An elevation by its sine sigma and by q = c / (1 + sigma) in (0, 1], c the cosine of the angle to the up axis. Near
-// the equator z is linear in c: q = 2^-60 in place of 0 changes it by less than 1e-17.
-struct Elevation {
+// The angle theta to the up axis, by its sine sigma and by q = c / (1 + sigma) in (0, 1], c its cosine. Near the
+// equator z is linear in c: q = 2^-60 in place of 0 changes it by less than 1e-17.
+struct PolarAngle {
     double sigma, q;
 
-    explicit Elevation(double c) : sigma(std::sqrt((1 - c) * (1 + c))), q(std::max(c / (1 + sigma), 0x1p-60)) {}
+    explicit PolarAngle(double c) : sigma(std::sqrt((1 - c) * (1 + c))), q(std::max(c / (1 + sigma), 0x1p-60)) {}
 };
 
 // The integral of f(tan^2(E / 2)) over E from 0 to pi. With v = ln tan(E / 2), dE = sech(v) dv, equal steps in v crowd
-// the nodes at both ends, where f changes quickly near the equator. The trapezoidal rule then errs below rounding.
+// the nodes at both ends, where f changes quickly near the equator. The trapezoidal rule then errs below rounding, as
+// e^-38 is.
 template <class Function>
 double integral_over_angles(double step, Function f) {
     double sum = 0;
@@ -54,7 +54,7 @@ double complete_elliptic(double q, double root_p, double a, double b) {
 // of sqrt(b) over E, which is 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1). Here the factor q has gone into the last
 // two arguments: they stay finite towards the equator.
 double sobolev_z(double cos_theta) {
-    const auto [sigma, q] = Elevation(cos_theta);
+    const auto [sigma, q] = PolarAngle(cos_theta);
     return 16 * pi / 3 - 8 * std::sqrt(2.0) / 3 * std::sqrt(1 + sigma) * complete_elliptic(q, 1 / q, 1 / q, q);
 }
 
@@ -62,7 +62,7 @@ double sobolev_z(double cos_theta) {
 //     A(t) = (4/15) [sqrt(2) t artanh(sqrt((1 - t) / 2)) - sqrt(1 - t)],
 // the divergence theorem and one integration by parts leave complete elliptic integrals over the rim.
 double sobolev_cosine_z(double cos_theta) {
-    const auto [sigma, q] = Elevation(cos_theta);
+    const auto [sigma, q] = PolarAngle(cos_theta);
     return 8 * pi / 3 - 16 * std::sqrt(2.0) / 15 * std::sqrt(1 + sigma) *
                             (2 * complete_elliptic(q, 1, 1, q * q) - complete_elliptic(q, 1 / q, 1, 1));
 }
@@ -72,15 +72,16 @@ constexpr double sobolev_cosine_zz = 16.787120248013257721;  // by quadrature to
 double exponential_mean(double x) {
     if (x > 1) return (1 - portable::exp(-x)) / x;
     double sum = 1, term = 1;
-    for (int m = 2; sum + term != sum; ++m) sum += term *= -x / m;
+    for (int m = 2; sum + term != sum; ++m) {
+        term *= -x / m;
+        sum += term;
+    }
     return sum;
 }
 
 void require_closed_form(bool exists) {
     if (!exists)
-        throw std::invalid_argument(
-            "the known part cosine goes with the covariance sobolev of smoothness 1.5 only: no other has a closed "
-            "form");
+        throw std::invalid_argument("only sobolev of smoothness 1.5 has a closed form for the known part cosine");
 }
 
 }  // namespace
@@ -97,9 +98,7 @@ Covariance::Covariance(CovarianceFamily family, double parameter)
         throw std::invalid_argument(formatted("the smoothness must lie between 1 and 2; it is %.9g", parameter));
     if (!sobolev && !(parameter >= 0.05 && parameter <= DBL_MAX))
         throw std::invalid_argument(formatted("the length-scale must be at least 0.05; it is %.9g", parameter));
-    // Two directions at an angle rho both lie in H for the fraction (pi - rho) / 2 pi of all hemispheres H. So zz is
-    // 4 pi times the integral of k (pi - rho) sin(rho) over rho from 0 to pi. By parts, since k sin(rho) is the
-    // derivative of b M(b), b = 1 - cos(rho), it is 4 pi times the integral of b M(b).
+    // 4 pi times the integral of b M(b), b = 1 - cos(rho), over rho from 0 to pi: common/README.md derives it.
     zz_ = 4 * pi * integral_over_angles(0.125, [&](double tt) {
               const double b = 2 * tt / (1 + tt);
               return b * cap_mean(b);
@@ -116,17 +115,15 @@ double Covariance::cap_mean(double height) const {
     return 0;
 }
 
-// z of any covariance. Great arcs from w to the rim cut H into narrow sectors of caps around w. The sector that ends at
-// the azimuth phi of the rim has the height b = 1 - sigma cos(phi), the angle d psi at w, and the integral b M(b) d
-// psi, where b d psi = c d phi / (1 + sigma cos(phi)). That is dE, if E is Kepler's eccentric anomaly for the true
-// anomaly phi on an ellipse of eccentricity sigma. So z is twice the integral of M(b) over E from 0 to pi, with
+// z of any covariance: twice the integral of M(b) over E from 0 to pi, where b is the height of a cap,
 //     b = (1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E) = (1 + sigma) (q^4 + t^2) / (q^2 + t^2),  t = tan(E / 2).
-// common/README.md has the steps and a figure. A length-scale below 1/2 needs a smaller step than 1/4.
+// common/README.md derives it, with a figure: great arcs from w to the rim cut H into narrow sectors of caps around w,
+// and E is Kepler's eccentric anomaly of their azimuth. A length-scale below 1/2 needs a smaller step than 1/4.
 double Covariance::z_by_caps(double cos_theta) const {
-    const auto [sigma, q] = Elevation(cos_theta);
-    return 2 * integral_over_angles(0.25, [&, whole = 1 + sigma, qq = q * q](double tt) {
-               return cap_mean(whole * (qq * qq + tt) / (qq + tt));
-           });
+    const PolarAngle theta(cos_theta);
+    const double qq = theta.q * theta.q;
+    return 2 * integral_over_angles(
+                   0.25, [&](double tt) { return cap_mean((1 + theta.sigma) * (qq * qq + tt) / (qq + tt)); });
 }
 
 // The same by a series of positive terms, which is faster and surer for short length-scales: 2 pi M(2), the same for
@@ -146,7 +143,7 @@ double Covariance::squared_exponential_z(double cos_theta) const {
 
 double Covariance::z(double cos_theta, Known known) const {
     if (!(cos_theta >= 0 && cos_theta <= 1))  // also of nan, for which no series would end
-        throw std::invalid_argument(formatted("an elevation cosine must lie between 0 and 1; it is %.17g", cos_theta));
+        throw std::invalid_argument(formatted("cos(theta) must lie between 0 and 1; it is %.17g", cos_theta));
     if (known == Known::cosine) {
         require_closed_form(has_closed_form_);
         return sobolev_cosine_z(cos_theta);

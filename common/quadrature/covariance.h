@@ -7,7 +7,6 @@
 
 #include "numerics/portable_math.h"
 
-#include <cmath>
 #include <utility>
 
 namespace bmc {
@@ -21,10 +20,10 @@ constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
     {"sobolev", CovarianceFamily::sobolev}, {"squared-exponential", CovarianceFamily::squared_exponential}};
 
 // A family of covariances and the value of its parameter.
-// - sobolev, smoothness s in (1, 2): k(r) = C - r^(2s - 2), where C = 2^(2s - 1) / s is twice the mean of r^(2s - 2)
-//   over the sphere (Brauchart, Saff, Sloan & Womersley, "QMC designs", Mathematics of Computation 2014). At s = 3/2,
-//   k(r) = 8/3 - r falls straight from 8/3 to 2/3. Its functions are continuous, as radiance is between edges, with
-//   kinks.
+// - sobolev, smoothness s in (1, 2): k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan & Womersley,
+// "QMC
+//   designs", Mathematics of Computation 2014). At s = 3/2, k(r) = 8/3 - r falls straight from 8/3 to 2/3. Its
+//   functions are continuous, as radiance is between edges, with kinks.
 // - squared_exponential, length-scale l >= 0.05: k(r) = exp(-r^2 / 2 l^2). Its functions have all derivatives. Below
 //   l = 0.05, e^(-1 / l^2) comes close to underflow.
 class Covariance {
@@ -45,7 +44,7 @@ public:
         return 0;
     }
 
-    // z of a direction with this elevation cosine, in [0, 1], and zz. The known part cos(theta) goes with Sobolev 3/2
+    // z of a direction with this cos(theta), in [0, 1], and zz. The known part cos(theta) goes with Sobolev 3/2
     // only. Both functions throw std::invalid_argument for anything else.
     double z(double cos_theta, Known known = Known::nothing) const;
     double zz(Known known = Known::nothing) const;
@@ -57,8 +56,8 @@ private:
 
     CovarianceFamily family_;
     double parameter_;
-    double exponent_, constant_;  // s - 1 and C
-    double kappa_;                // 1 / l^2
+    double exponent_, constant_;  // of sobolev: s - 1 and C
+    double kappa_;                // of squared_exponential: 1 / l^2
     bool has_closed_form_;        // Sobolev 3/2
     double zz_;                   // for p = 1
 };

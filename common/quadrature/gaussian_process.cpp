@@ -3,42 +3,38 @@
 #include "numerics/formatted.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 namespace bmc {
-namespace {
-
-double sum_of_products(const std::vector<double>& a, const std::vector<double>& b) {
+static double sum_of_products(const std::vector<double>& a, const std::vector<double>& b) {
+    if (a.size() != b.size())
+        throw std::invalid_argument(formatted("a process of %zu directions was given %zu values", a.size(), b.size()));
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 // w = Q^-1 z, from the factor of Q.
 // BEGIN SOLUTION integral
-std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z) {
+static std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z) {
     return cholesky.solve(z);
 }
 // END SOLUTION
 
 // zz - z^T Q^-1 z, where weights = Q^-1 z. A variance is not negative, but rounding can make it so.
 // BEGIN SOLUTION integral
-double posterior_variance(double zz, const std::vector<double>& z, const std::vector<double>& weights) {
+static double posterior_variance(double zz, const std::vector<double>& z, const std::vector<double>& weights) {
     const double variance = zz - sum_of_products(z, weights);
     return variance > 0 ? variance : 0;
 }
 // END SOLUTION
 
-std::vector<Vec3> checked(std::vector<Vec3> directions, double noise) {
+static std::vector<Vec3> checked(std::vector<Vec3> directions, double noise) {
     if (directions.empty()) throw std::invalid_argument("a Gaussian process needs at least one direction");
     if (!(noise >= 0 && noise <= DBL_MAX))
         throw std::invalid_argument(formatted("the noise must be at least 0; it is %.9g", noise));
     return directions;
 }
 
-}  // namespace
-
-// z_j is a function of the elevation cosine of direction j, its y. Rounding can leave y slightly above 1.
+// z_j is a function of cos(theta) of direction j, its y. Rounding can leave y slightly above 1.
 // BEGIN SOLUTION z
 std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> z;
@@ -69,25 +65,11 @@ GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std
       variance_(posterior_variance(covariance.zz(known), z_, weights_)) {}
 
 // BEGIN SOLUTION integral
-double GaussianProcess::integral(const std::vector<double>& values) const {
-    require_one_value_per_direction(values);
-    return sum_of_products(weights_, values);
-}
+double GaussianProcess::integral(const std::vector<double>& values) const { return sum_of_products(weights_, values); }
 // END SOLUTION
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    require_one_value_per_direction(values);
     const std::vector<double> y = cholesky_.solve_lower(values);  // L y = Y, so |y|^2 = Y^T Q^-1 Y
     return std::sqrt(sum_of_products(y, y) / static_cast<double>(values.size()));
-}
-
-double GaussianProcess::standard_error(const std::vector<double>& values) const {
-    return amplitude(values) * std::sqrt(variance());
-}
-
-void GaussianProcess::require_one_value_per_direction(const std::vector<double>& values) const {
-    if (values.size() != directions_.size())
-        throw std::invalid_argument(
-            formatted("a Gaussian process of %zu directions was given %zu values", directions_.size(), values.size()));
 }
 }  // namespace bmc

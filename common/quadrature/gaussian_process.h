@@ -9,8 +9,6 @@
 #include "numerics/vec3.h"
 #include "quadrature/covariance.h"
 
-#include <vector>
-
 namespace bmc {
 class GaussianProcess {
 public:
@@ -45,11 +43,9 @@ public:
     double amplitude(const std::vector<double>& values) const;
 
     // The standard error that the process predicts for integral(values): a sqrt(V).
-    double standard_error(const std::vector<double>& values) const;
+    double standard_error(const std::vector<double>& values) const { return amplitude(values) * std::sqrt(variance()); }
 
 private:
-    void require_one_value_per_direction(const std::vector<double>& values) const;
-
     std::vector<Vec3> directions_;
     std::vector<double> z_;
     Cholesky cholesky_;

@@ -1,45 +1,33 @@
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
-namespace {
-
 // sincos_turns(t) has the sine and cosine of t full turns, 2 pi t. The azimuth is 0 at +z, and a quarter turn at +x.
-Vec3 direction_at(double cos_theta, double turns) {
+static Vec3 direction_at(double cos_theta, double turns) {
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
-
-// The elevation cosine from a number u that is uniform in (0, 1].
-double elevation(double u, bool by_cosine) { return by_cosine ? std::sqrt(u) : u; }
 
 std::vector<Vec3> random_directions(std::size_t n, Random& random, bool by_cosine) {
     std::vector<Vec3> directions(n);
     for (Vec3& direction : directions) {
         const double u = 1 - random.uniform();
         const double turns = random.uniform();
-        direction = direction_at(elevation(u, by_cosine), turns);
+        direction = direction_at(by_cosine ? std::sqrt(u) : u, turns);
     }
     return directions;
 }
 
-std::vector<Vec3> lattice_directions(std::size_t n, bool by_cosine) {
+std::vector<Vec3> fibonacci_directions(std::size_t n, bool by_cosine) {
     constexpr double golden = 0.61803398874989484820;  // the golden ratio less 1
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double index = static_cast<double>(i);
         const double u = 1 - (index + 0.5) / static_cast<double>(n);
-        directions[i] = direction_at(elevation(u, by_cosine), index * golden);
+        directions[i] = direction_at(by_cosine ? std::sqrt(u) : u, index * golden);
     }
     return directions;
 }
-
-}  // namespace
-
-std::vector<Vec3> uniform_directions(std::size_t n, Random& random) { return random_directions(n, random, false); }
-std::vector<Vec3> fibonacci_directions(std::size_t n) { return lattice_directions(n, false); }
-std::vector<Vec3> cosine_directions(std::size_t n, Random& random) { return random_directions(n, random, true); }
-std::vector<Vec3> cosine_fibonacci_directions(std::size_t n) { return lattice_directions(n, true); }
 
 // BEGIN SOLUTION rotate
 Vec3 rotate_around_y(Vec3 direction, double turns) {

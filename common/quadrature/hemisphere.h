@@ -1,28 +1,22 @@
 // Directions in the unit hemisphere H around the up axis y, and frames that carry them to a surface. Integrals are with
-// respect to solid angle. A direction's elevation cosine, cos(theta), is its y.
+// respect to solid angle. The cosine of a direction's angle theta to the up axis is its y.
 #pragma once
 
 #include "numerics/random.h"
 #include "numerics/vec3.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace bmc {
-// n independent directions, uniform w.r.t. solid angle (density 1 / 2 pi), by Archimedes' theorem: the elevation cosine
-// is uniform in (0, 1]. Draws the cosine first, then the azimuth.
-std::vector<Vec3> uniform_directions(std::size_t n, Random& random);
+// n independent directions. With cos(theta) = u, uniform in (0, 1], they are uniform w.r.t. solid angle: their density
+// is 1 / 2 pi (Archimedes). by_cosine: with cos(theta) = sqrt(u) it is cos(theta) / pi (Malley's method). The cosine is
+// drawn first, then the azimuth.
+std::vector<Vec3> random_directions(std::size_t n, Random& random, bool by_cosine = false);
 
-// n directions on the spherical Fibonacci lattice: elevation cosines 1 - (i + 1/2) / n, azimuths i golden angles
+// n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles
 // (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination integrals",
 // Computer Graphics Forum 2013, eq. 2).
-std::vector<Vec3> fibonacci_directions(std::size_t n);
-
-// n independent directions with density cos(theta) / pi w.r.t. solid angle: elevation cosine sqrt(u) (Malley's method).
-std::vector<Vec3> cosine_directions(std::size_t n, Random& random);
-
-// The Fibonacci lattice with the elevation cosines sqrt(1 - (i + 1/2) / n): its density is cos(theta) / pi.
-std::vector<Vec3> cosine_fibonacci_directions(std::size_t n);
+std::vector<Vec3> fibonacci_directions(std::size_t n, bool by_cosine = false);
 
 // The direction turned about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);
@@ -31,12 +25,11 @@ Vec3 rotate_around_y(Vec3 direction, double turns);
 struct Frame {
     Vec3 tangent, normal, bitangent;
 
-    // The frame of a unit normal. It is continuous except where normal.z changes its sign. The formulas are the
-    // paper's, and dot products show that they are right (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin,
-    // "Building an orthonormal basis, revisited", JCGT 2017).
+    // The frame of a unit normal, continuous except where normal.z changes its sign. Dot products show that it is right
+    // (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis, revisited", 2017).
     explicit Frame(Vec3 unit_normal);
 
-    // The frame whose to_world(v) is this frame's to_world(rotate_around_y(v, turns)).
+    // This frame turned about its normal: the new to_world(v) is the old to_world(rotate_around_y(v, turns)).
     [[nodiscard]] Frame rotated(double turns) const;
 
     Vec3 to_world(Vec3 local) const { return local.x * tangent + local.y * normal + local.z * bitangent; }

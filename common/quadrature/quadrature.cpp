@@ -1,18 +1,11 @@
 #include "quadrature/quadrature.h"
 
-#include <cmath>
-#include <stdexcept>
-
 namespace bmc {
-namespace {
-
-DirectionSet turned(DirectionSet set, Random& random) {
+static DirectionSet turned(DirectionSet set, Random& random) {
     const double turns = random.uniform();
     for (Vec3& direction : set.directions) direction = rotate_around_y(direction, turns);
     return set;
 }
-
-}  // namespace
 
 double relative_weight_sum(const QuadratureRule& rule) {
     double sum = 0;
@@ -26,22 +19,12 @@ double stability_constant(const QuadratureRule& rule) {
     return sum / known_integral(rule.known);
 }
 
-bool is_lattice(Placement placement) {
-    switch (placement) {
-        case Placement::uniform:
-        case Placement::cosine: return false;
-        case Placement::fibonacci:
-        case Placement::cosine_fibonacci: return true;
-    }
-    return false;
-}
-
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
     switch (placement) {
-        case Placement::uniform: return {uniform_directions(n, random), Known::nothing};
-        case Placement::cosine: return {cosine_directions(n, random), Known::cosine};
+        case Placement::uniform: return {random_directions(n, random), Known::nothing};
+        case Placement::cosine: return {random_directions(n, random, true), Known::cosine};
         case Placement::fibonacci: return turned({fibonacci_directions(n), Known::nothing}, random);
-        case Placement::cosine_fibonacci: return turned({cosine_fibonacci_directions(n), Known::cosine}, random);
+        case Placement::cosine_fibonacci: return turned({fibonacci_directions(n, true), Known::cosine}, random);
     }
     throw std::logic_error("a placement without directions");
 }

@@ -1,12 +1,9 @@
-// Quadrature rules over the hemisphere H: what Monte Carlo and Bayesian Monte Carlo have in common. Whoever applies a
-// rule need not know where its weights come from.
+// Quadrature rules over the hemisphere H: what Monte Carlo and Bayesian Monte Carlo have in common. Code that
+// applies a rule need not know where its weights come from.
 #pragma once
 
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
-
-#include <cstdint>
-#include <vector>
 
 namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
@@ -40,8 +37,10 @@ constexpr std::pair<const char*, Placement> placement_names[] = {{"uniform", Pla
                                                                  {"cosine", Placement::cosine},
                                                                  {"cosine-fibonacci", Placement::cosine_fibonacci}};
 
-// A lattice has the same directions each time, but for a turn about the up axis.
-bool is_lattice(Placement placement);
+// A lattice has the same directions each time, up to a turn about the up axis.
+inline bool is_lattice(Placement placement) {
+    return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
+}
 
 // Directions, and the known part that their density is proportional to.
 struct DirectionSet {

@@ -1,22 +1,17 @@
 #include "scene/pixel_rules.h"
 
-#include <stdexcept>
-
 namespace bmc {
 Random pixel_stream(const RenderSettings& settings, int x, int y) {
-    return {settings.seed,
-            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)};
+    return {settings.seed, static_cast<std::uint64_t>(std::int64_t{y} * settings.width + x)};
 }
 
-namespace {
-
 // The stream of shared rule i; pixels have the streams from 0.
-Random rule_stream(const RenderSettings& settings, std::size_t i) {
+static Random rule_stream(const RenderSettings& settings, std::size_t i) {
     return {settings.seed, (std::uint64_t{1} << 63) + i};
 }
 
-// How many rules pixels share.
-std::size_t shared_count(const RenderSettings& settings) {
+// The number of rules that pixels share.
+static std::size_t shared_count(const RenderSettings& settings) {
     switch (settings.method) {
         case Method::mc: return is_lattice(settings.placement) ? 1 : 0;
         case Method::direct: return 0;
@@ -27,10 +22,8 @@ std::size_t shared_count(const RenderSettings& settings) {
     throw std::logic_error("a method without rules");
 }
 
-}  // namespace
-
-PixelRules::PixelRules(const RenderSettings& settings)
-    : settings_(settings), covariance_(settings.make_covariance()), shared_(shared_rules()) {
+PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), covariance_(settings.make_covariance()) {
+    if (shared_count(settings) > 0) shared_ = shared_rules();
     std::vector<QuadratureRule> examined = shared_;
     if (examined.empty()) {
         Random random = rule_stream(settings, 0);
@@ -81,7 +74,7 @@ PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
             // END SOLUTION
         case Method::pool:
             // BEGIN SOLUTION rule_for
-            const double u = random.uniform();  // chooses the rule; the next one turns it
+            const double u = random.uniform();  // chooses the rule; a second number turns it
             const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared_.size()));
             return {frame.rotated(random.uniform()), {}, &shared_[chosen]};
             // END SOLUTION

@@ -1,11 +1,9 @@
-// Which quadrature rule a pixel has: a method is a way to give each pixel its rule. Brouillat, Bouville, Loos, Hansen &
+// A method gives each pixel its quadrature rule. Brouillat, Bouville, Loos, Hansen &
 // Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009), share rules
 // between pixels, as the last three methods do.
 #pragma once
 
 #include "scene/reflection.h"
-
-#include <optional>
 
 namespace bmc {
 enum class Method {
@@ -13,7 +11,7 @@ enum class Method {
     direct,   // a fresh Gaussian process on fresh directions for every pixel
     single,   // one Gaussian process for the whole image
     rotated,  // the same, its directions turned at random about the normal in every pixel
-    pool      // one of several Gaussian processes, chosen and turned at random
+    pool      // one of several Gaussian processes: a first random number chooses it, a second one turns it
 };
 constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
                                                            {"direct", Method::direct},

@@ -12,8 +12,8 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
 // END SOLUTION
 
 // BEGIN SOLUTION shade
-// First the texels that all rays see, the black one in the shadow. This loop has no branch, so a processor computes
-// several rays at once. Then the sum.
+// First it finds the texel of each ray, the black one in the shadow. This loop has no branch, so a processor computes
+// several rays at once. Then it sums.
 Color reflected_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const QuadratureRule& rule,
                       const Frame& frame) {
     std::vector<int> texels(rule.size());

@@ -1,4 +1,5 @@
-// What a pixel does with a quadrature rule: the light that a point reflects, if nothing emits but the environment,
+// What a pixel does with a quadrature rule: the light that a point reflects, if nothing emits but the environment
+// (Kajiya, "The rendering equation", SIGGRAPH 1986, without interreflection),
 //     L_o = integral over H of (albedo / pi) V L cos(theta) dw ~ (albedo / pi) sum of weight_i V_i L_i.
 // The visibility V is 0 in a direction that the other object shadows, and 1 in all others.
 #pragma once

@@ -1,7 +1,4 @@
-// The renderer: at every point that the camera sees, the direct light
-//     L_o = integral over H of (albedo / pi) L_i(w) cos(theta) dw
-// that the environment sends past the other object, by one quadrature rule (Kajiya, "The rendering equation", SIGGRAPH
-// 1986, for surfaces that do not emit and without interreflection).
+// The renderer: the direct light L_o (reflection.h) of every point that the camera sees.
 #pragma once
 
 #include "scene/image.h"
@@ -10,7 +7,7 @@
 #include <functional>
 
 namespace bmc {
-// The colour of a point that the camera sees in column x of row y. Many threads call it.
+// The colour of a point that the camera sees in column x of row y. Several threads call it at once.
 using Shade = std::function<Color(const Hit&, int x, int y)>;
 
 // L_o, linear RGB, by these rules. Scene and environment must outlive it.

@@ -1,10 +1,8 @@
 #include "scene/scene.h"
 
 namespace bmc {
-namespace {
-
 // Distance along the ray to the object, if it lies ahead.
-std::optional<double> distance(const Sphere& sphere, const Ray& ray) {
+static std::optional<double> distance(const Sphere& sphere, const Ray& ray) {
     const Vec3 offset = sphere.centre - ray.origin;
     const double ahead = dot(offset, ray.direction);
     const double discriminant = ahead * ahead - (dot(offset, offset) - sphere.radius * sphere.radius);
@@ -13,15 +11,13 @@ std::optional<double> distance(const Sphere& sphere, const Ray& ray) {
     return t > 0 ? std::optional(t) : std::nullopt;
 }
 
-std::optional<double> distance(const Rectangle& rectangle, const Ray& ray) {
+static std::optional<double> distance(const Rectangle& rectangle, const Ray& ray) {
     const double t = (rectangle.y - ray.origin.y) / ray.direction.y;
     const double x = ray.origin.x + t * ray.direction.x;
     const double z = ray.origin.z + t * ray.direction.z;
     const bool inside = x >= rectangle.x_min && x <= rectangle.x_max && z >= rectangle.z_min && z <= rectangle.z_max;
     return t > 0 && inside ? std::optional(t) : std::nullopt;
 }
-
-}  // namespace
 
 Ray Camera::ray(int x, int y) const {
     // tan(30 degrees) = sqrt(1/3): half the height of the image plane at distance 1.

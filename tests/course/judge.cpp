@@ -181,7 +181,7 @@ std::string run(int argc, char** argv, int& status) {
         return "usage: build/judge PICTURE [options]     a PPM or PFM of the sphere scene\n\n"
                "The options say how the picture was made; --size, --format and --seed do not count.\n\n" +
                describe(options);
-    if (files.size() != 1) throw UsageError("name one picture, as in build/judge out.ppm --method direct");
+    if (files.size() != 1) throw std::invalid_argument("name one picture, as in build/judge out.ppm --method direct");
     request.require_possible();
     const EnvironmentMap light = load_environment(request.environment, request.settings.threads);
     const std::string text = differences(files[0], light, request);

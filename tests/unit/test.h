@@ -96,7 +96,7 @@ bool names_all(const std::pair<const char*, Enumeration> (&table)[rows]) {
 
 inline std::vector<Vec3> some_directions(std::size_t n, std::uint64_t stream = 0) {
     Random random(11, stream);
-    return uniform_directions(n, random);
+    return random_directions(n, random);
 }
 inline std::vector<Vec3> all_around(std::size_t n) {
     std::vector<Vec3> directions = some_directions(n, 1);

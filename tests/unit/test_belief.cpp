@@ -1,11 +1,10 @@
 #include "experiments/belief.h"
-#include "light/radiance_hdr.h"
 #include "test.h"
 
 // One direction w, seen by the process alone: Y = 1/2 there, and 0 is believed far from it. The mean is k Y / q with
 // q = k(0) + noise^2, the deviation a sqrt(k(0) - k^2 / q) with the amplitude a = Y / sqrt(q).
 TEST_CASE("the discs show light, posterior mean, deviation and error, and the estimate is that of the process") {
-    const TemporaryFile light(to_radiance_hdr(even_map(1, 1, 0.5)));
+    const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 1\n\200\200\200\200");  // 0.5
     Belief belief;
     parse({"--environment", light.name, "--samples=1", "--placement=fibonacci", "--noise=0.5"}, belief.options());
     std::string picture;

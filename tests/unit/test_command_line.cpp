@@ -12,7 +12,7 @@ TEST_CASE("options take values in both spellings and leave the rest; a mistake i
           std::vector<std::string>{"rest"});
     CHECK((text == "3" && real == -0.5 && whole == 4096 && flags == 2));
     const auto mistake = [&](const std::vector<std::string>& words) {
-        CHECK_THROWS_AS(parse(words, options), UsageError);
+        CHECK_THROWS_AS(parse(words, options), std::invalid_argument);
         return message_of([&] { parse(words, options); });
     };
     CHECK(mistake({"--other"}) == "there is no option --other; --help lists them all");
@@ -25,11 +25,11 @@ TEST_CASE("options take values in both spellings and leave the rest; a mistake i
 TEST_CASE("numbers are read entirely or not at all") {
     CHECK((parse_real("0.25", 0, 1) == 0.25 && parse_real("0", 0, 1) == 0 && parse_real("1", 0, 1) == 1));
     for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "1e400", "-1", "2", "0,5"})
-        CHECK_THROWS_AS(parse_real(text, 0, 1), UsageError);
+        CHECK_THROWS_AS(parse_real(text, 0, 1), std::invalid_argument);
     CHECK((parse_whole("1", 1, 20) == 1 && parse_whole("20", 1, 20) == 20));
     CHECK(parse_whole("18446744073709551615", 0, UINT64_MAX) == UINT64_MAX);
     for (const char* text : {"", "0", "21", "1.5", "1e1", "18446744073709551617", "-1", "0x10", " 17", "17 "})
-        CHECK_THROWS_AS(parse_whole(text, 1, 20), UsageError);
+        CHECK_THROWS_AS(parse_whole(text, 1, 20), std::invalid_argument);
 }
 
 TEST_CASE("a choice is one of the names of a table, which the help lists") {
@@ -39,7 +39,7 @@ TEST_CASE("a choice is one of the names of a table, which the help lists") {
                                              alike[] = {{"a", Letter::a}, {"b", Letter::b}, {"a", Letter::c}};
     CHECK((names_all(table) && !names_all(two) && !names_all(alike)));
     CHECK(value_of("a", table) == Letter::a);
-    CHECK_THROWS_WITH_AS(value_of("d", table), "'d' is not b, a or c", UsageError);
+    CHECK_THROWS_WITH_AS(value_of("d", table), "'d' is not b, a or c", std::invalid_argument);
     CHECK(std::string(name_of(Letter::c, table)) == "c");
     Letter letter = Letter::b;
     const Option choice = choice_option("letter", table, letter, "; a remark");
@@ -66,7 +66,7 @@ TEST_CASE("an exception is a line on standard error; the exit status is 2 after 
         const std::string printed = stderr_of([&] { status = run_program("program", body); });
         return printed + std::to_string(status);
     };
-    CHECK(run([]() -> std::string { throw UsageError("a mistake"); }) == "program: a mistake\n2");
-    CHECK(run([]() -> std::string { throw std::invalid_argument("a problem"); }) == "program: a problem\n1");
+    CHECK(run([]() -> std::string { throw std::invalid_argument("a mistake"); }) == "program: a mistake\n2");
+    CHECK(run([]() -> std::string { throw std::runtime_error("a problem"); }) == "program: a problem\n1");
     CHECK(contains(run([]() -> std::string { throw std::bad_alloc(); }), "there is not enough memory"));
 }

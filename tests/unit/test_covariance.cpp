@@ -49,7 +49,7 @@ TEST_CASE("z and zz agree with 20 digits of quadrature to 2e-15, at the length-s
 
 // The sums err most at the rim, where a step of the lattice, 2.5e-5 high, is all in or all out: by 3e-5 of themselves,
 // and by 3e-3 at l = 0.05, since few directions count.
-TEST_CASE("z is 2 pi times the mean of k p over H, at any elevation, and zz that of z p") {
+TEST_CASE("z is 2 pi times the mean of k p over H, in any direction, and zz that of z p") {
     const auto agree = [](const Covariance& covariance, Known known, double most) {
         double zz = 0;
         for (double cosine = 1.0 / 8000; cosine < 1; cosine += 1.0 / 4000)
@@ -70,13 +70,13 @@ TEST_CASE("the closed form of z at s = 3/2 and the integral over caps beside it 
             CHECK(relative(Covariance(sobolev, s).z(i / 500.0), Covariance().z(i / 500.0)) < 4e-15);
 }
 
-TEST_CASE("parameters, elevation cosines and known parts that a covariance cannot have are refused") {
+TEST_CASE("parameters, cosines and known parts that a covariance cannot have are refused") {
     for (const double s : {1.0, 2.0, nan_value}) CHECK_THROWS_AS(Covariance(sobolev, s), std::invalid_argument);
     for (const double l : {0.0499999, nan_value, infinity})
         CHECK_THROWS_AS(Covariance(squared_exponential, l), std::invalid_argument);
     CHECK_THROWS_WITH(Covariance(sobolev, 2), "the smoothness must lie between 1 and 2; it is 2");
     CHECK_THROWS_WITH(Covariance(squared_exponential, 0), "the length-scale must be at least 0.05; it is 0");
-    CHECK_THROWS_WITH(Covariance().z(1.25), "an elevation cosine must lie between 0 and 1; it is 1.25");
+    CHECK_THROWS_WITH(Covariance().z(1.25), "cos(theta) must lie between 0 and 1; it is 1.25");
     for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})
         CHECK_THROWS_AS(Covariance(squared_exponential, 1.5).z(cosine), std::invalid_argument);
     for (const Covariance& covariance : {Covariance(sobolev, 1.4), Covariance(squared_exponential, 1.5)}) {

@@ -1,5 +1,4 @@
 #include "light/desert.h"
-#include "light/radiance_hdr.h"
 #include "test.h"
 
 TEST_CASE("the desert's radiances lie in [0, 1], and the bright desert has but a sun a thousand times as bright") {
@@ -28,7 +27,7 @@ TEST_CASE("black and white is light from every direction with x > 0, and none fr
 }
 
 TEST_CASE("a light from a file has the file's texels, and what is wrong is told with the file's name") {
-    const TemporaryFile good(to_radiance_hdr(EnvironmentMap(2, 1, {1, 0.5f, 0.25f, 8, 4, 2})));
+    const TemporaryFile good("#?RADIANCE\n\n-Y 1 +X 2\n\200\100\40\201\200\100\40\204");
     CHECK(load_environment(good.name).width() == 2);
     CHECK(same(load_environment(good.name).texel(2), {8, 4, 2}));
     std::ofstream(good.name) << "P6";

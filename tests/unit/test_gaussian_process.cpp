@@ -45,11 +45,11 @@ TEST_CASE("a process refuses what is no sample set, and values that do not belon
         return message_of([&] { GaussianProcess(Covariance(), noise, directions); });
     };
     CHECK(refusal(0.01, {}) == "a Gaussian process needs at least one direction");
-    CHECK(contains(refusal(0.01, {{1, -1e-12, 0}}), "elevation cosine must lie between 0 and 1; it is -9.99"));
+    CHECK(contains(refusal(0.01, {{1, -1e-12, 0}}), "cos(theta) must lie between 0 and 1; it is -9.99"));
     CHECK(refusal(-1e-12, {{0, 1, 0}}) == "the noise must be at least 0; it is -1e-12");
     CHECK(refusal(infinity, {{0, 1, 0}}) == "the noise must be at least 0; it is inf");
     CHECK(contains(refusal(0, {{0, 1, 0}, {0, 1, 0}}), "is not positive definite"));
     const GaussianProcess process(Covariance(), 0.01, some_directions(3));
-    CHECK_THROWS_WITH(process.integral({1, 2}), "a Gaussian process of 3 directions was given 2 values");
+    CHECK_THROWS_WITH(process.integral({1, 2}), "a process of 3 directions was given 2 values");
     CHECK_THROWS_AS(process.amplitude({1, 2, 3, 4}), std::invalid_argument);
 }

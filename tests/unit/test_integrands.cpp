@@ -34,5 +34,5 @@ TEST_CASE("samples are values over the known part, a rule sums them with its wei
     ModelSettings settings;
     settings.seed = 9;
     Random random(9, (std::uint64_t{3} << 32) + 7);
-    CHECK(same(estimate_directions(settings, 3, 7).directions, uniform_directions(3, random)));
+    CHECK(same(estimate_directions(settings, 3, 7).directions, random_directions(3, random)));
 }

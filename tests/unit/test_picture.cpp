@@ -9,7 +9,7 @@ TEST_CASE("what is known is nothing, the cosine, or the light, with which the co
         CHECK(settings.light_known == (name == "light"));
         CHECK(known_name(settings) == name);
     }
-    CHECK_THROWS_AS(set_known(settings, "all"), UsageError);
+    CHECK_THROWS_AS(set_known(settings, "all"), std::invalid_argument);
 }
 
 TEST_CASE("a picture is rendered by the environment's light or, where that is known, by its averages and its sun") {

@@ -23,12 +23,12 @@ static double sincos_error(double turns) {
     return std::max(error_in_ulp(found.sine, sine), error_in_ulp(found.cosine, cosine));
 }
 
-// Measured: 0.75 (exp and pow), 0.82 (log), 0.93 (sincos). Uniform bits give every binary exponent alike.
+// Measured: 0.75 (exp and pow), 0.82 (log), 0.93 (sincos). x has every binary exponent alike.
 TEST_CASE("exp, log and sincos_turns err by at most 1 ulp over their whole range, pow by 1 + 3 |y ln x|") {
     Random random(1, 1);
     const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
     for (int i = 0; i < 150000; ++i) {
-        const double x = portable::from_bits(random.bits() % portable::bits_of(infinity));
+        const double x = std::ldexp(1 + random.uniform(), static_cast<int>(random.bits() % 2098) - 1074);
         const double width = i % 3 == 0 ? 690 : i % 3 == 1 ? 0.5 : 1e-12, base = portable::exp(between(-width, width));
         const double power = between(-745, 710) / (base == 1 ? 1 : portable::log(base)),
                      size = std::fabs(power * std::log(base));

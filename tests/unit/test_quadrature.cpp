@@ -19,9 +19,9 @@ TEST_CASE("placements have names; each is its directions: random ones, or the la
         const DirectionSet placed = place_directions(placement, 10, drawn);
         const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
         const bool lattice = placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
-        std::vector<Vec3> expected = lattice  ? cosine ? cosine_fibonacci_directions(10) : fibonacci_directions(10)
-                                      : cosine ? cosine_directions(10, here)
-                                              : uniform_directions(10, here);
+        std::vector<Vec3> expected = lattice  ? cosine ? fibonacci_directions(10, true) : fibonacci_directions(10)
+                                      : cosine ? random_directions(10, here, true)
+                                              : random_directions(10, here);
         const double turns = lattice ? here.uniform() : 0;
         if (lattice)
             for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);

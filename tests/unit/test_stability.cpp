@@ -5,7 +5,7 @@ TEST_CASE("sample sets have names: random, doubled, on the rim, at the pole, or 
     CHECK(names_all(sample_set_names));
     const auto set = [](SampleSet which) { return sample_set(which, 10); };
     Random random(1, 10);
-    const std::vector<Vec3> expected = uniform_directions(10, random), cluster = set(SampleSet::cluster);
+    const std::vector<Vec3> expected = random_directions(10, random), cluster = set(SampleSet::cluster);
     for (std::size_t i = 0; i < 10; ++i) {
         CHECK(same(set(SampleSet::random)[i], expected[i]));
         CHECK(same(set(SampleSet::duplicates)[i], expected[i - i % 2]));
@@ -15,7 +15,7 @@ TEST_CASE("sample sets have names: random, doubled, on the rim, at the pole, or 
     }
 }
 
-// Turning changes no distance and no elevation, so all differences are roundings.
+// Turning changes no distance and no y, so all differences are roundings.
 TEST_CASE("the error of the weights is the largest difference from four turned sets over the largest weight") {
     const std::vector<Vec3> directions = sample_set(SampleSet::random, 40);
     const QuadratureRule rule = bayesian_rule(Covariance(), 1e-4, directions);

@@ -18,7 +18,7 @@ TEST_CASE("the sun is the texels of more than a hundred times the mean radiance,
     }
 }
 
-// A texel at the pole, 22.5 degrees high and wide: the azimuth goes with u, the elevation cosine with v.
+// A texel at the pole, 22.5 degrees high and wide: the azimuth goes with u, y with v.
 TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angle, with the colour over its sum") {
     const EnvironmentMap map = map_of(17, 9, [](int x, int y) { return (y == 0 && x == 12) * Color{3, 2, 1}; });
     const Sun sun(map);

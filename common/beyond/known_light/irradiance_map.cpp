@@ -3,20 +3,15 @@
 #include "beyond/known_light/texels_on_sphere.h"
 #include "numerics/parallel.h"
 
-#include <algorithm>
-#include <cstdint>
-
 namespace bmc {
-namespace {
-
 // The cells that light is gathered in, and the cells of the table, which holds E at their corners.
 constexpr int light_columns = 96, light_rows = 48, columns = 128, rows = 64;
 
 // The part, of so many equal ones, that texel i of n lies in.
-std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
+static std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
 
 // The integral of L w dw for each cell and each colour.
-std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
+static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
     std::vector<Vec3> azimuths;
     for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(direction_of({1, 0}, texels.azimuth(i + 0.5)));
@@ -35,8 +30,6 @@ std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     }
     return fluxes;
 }
-
-}  // namespace
 
 // E(n) is the sum of max(n . F, 0) over the fluxes F. Only cells cut by n's horizon are underestimated.
 IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads) : table_(columns + 1, rows + 1) {

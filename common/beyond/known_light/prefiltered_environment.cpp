@@ -4,7 +4,6 @@
 #include "numerics/parallel.h"
 #include "quadrature/hemisphere.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace bmc {

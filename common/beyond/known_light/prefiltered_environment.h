@@ -6,9 +6,6 @@
 #include "beyond/known_light/irradiance_map.h"
 #include "beyond/known_light/sun.h"
 
-#include <optional>
-#include <vector>
-
 namespace bmc {
 class PrefilteredEnvironment {
 public:

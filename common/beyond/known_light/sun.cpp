@@ -2,14 +2,10 @@
 
 #include "beyond/known_light/texels_on_sphere.h"
 
-#include <algorithm>
-
 namespace bmc {
-namespace {
+static double brightness(Color c) { return c.x + c.y + c.z; }
 
-double brightness(Color c) { return c.x + c.y + c.z; }
-
-double all_light(const TexelsOnSphere& texels) {
+static double all_light(const TexelsOnSphere& texels) {
     double sum = 0;
     for (int row = 0; row < texels.rows(); ++row) {
         Color of_row;
@@ -21,14 +17,12 @@ double all_light(const TexelsOnSphere& texels) {
 
 // The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
 // order are a compact piece of the map, so the edge of a shadow crosses few of the rays' strata.
-std::uint64_t z_order(int row, int column) {
+static std::uint64_t z_order(int row, int column) {
     std::uint64_t order = 0;
     for (int bit = 0; bit < 27; ++bit)
         order |= std::uint64_t(row >> bit & 1) << (2 * bit + 1) | std::uint64_t(column >> bit & 1) << 2 * bit;
     return order;
 }
-
-}  // namespace
 
 Sun::Sun(const EnvironmentMap& map, double threshold) : map_(map), all_(all_light(TexelsOnSphere(map, 1, 1))) {
     const TexelsOnSphere texels(map, 1, 1);

@@ -7,9 +7,6 @@
 #include "numerics/random.h"
 #include "scene/scene.h"
 
-#include <cstdint>
-#include <vector>
-
 namespace bmc {
 // Sums over rays: of all light, and of what arrives.
 struct Quotient {

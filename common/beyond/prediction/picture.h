@@ -13,7 +13,7 @@ struct PictureSettings : RenderSettings {
 // The name of what is known of the integrand L(w) V(w) cos(theta): nothing, cosine or light.
 const char* known_name(const PictureSettings& settings);
 
-// Throws UsageError if there is no such name.
+// Throws std::invalid_argument if there is no such name.
 void set_known(PictureSettings& settings, const std::string& name);
 
 // An environment, and its averages where the light is to be known. The environment must outlive it.

@@ -3,7 +3,6 @@
 #include "numerics/formatted.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace bmc {
 PictureSettings second(PictureSettings settings) {

@@ -9,9 +9,8 @@
 #include <thread>
 
 namespace bmc {
-namespace {
-
-PictureSettings settings_of(Method method, std::size_t pool, Placement placement, const char* known = "nothing") {
+static PictureSettings settings_of(Method method, std::size_t pool, Placement placement,
+                                   const char* known = "nothing") {
     PictureSettings settings;
     settings.method = method;
     settings.pool = pool;
@@ -21,7 +20,7 @@ PictureSettings settings_of(Method method, std::size_t pool, Placement placement
 }
 
 // The settings with these samples, the size and the seed.
-PictureSettings with_size(const CostSettings& costs, PictureSettings settings, std::size_t samples) {
+static PictureSettings with_size(const CostSettings& costs, PictureSettings settings, std::size_t samples) {
     settings.samples = samples;
     settings.seed = 1000 * (costs.seed - 1) + 1;
     settings.width = settings.height = costs.size;
@@ -30,7 +29,7 @@ PictureSettings with_size(const CostSettings& costs, PictureSettings settings, s
 }
 
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
-double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings settings) {
+static double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings settings) {
     settings.threads = 1;
     const auto seconds_at = [&](int side) {
         settings.width = settings.height = side;
@@ -44,14 +43,14 @@ double seconds_per_megapixel(const EnvironmentLight& light, PictureSettings sett
 
 // If pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it. Otherwise every pixel is a
 // sample, and the seeds are for the brightness. Fewer seeds where they would take long.
-std::uint64_t seeds_of(const PictureSettings& settings) {
+static std::uint64_t seeds_of(const PictureSettings& settings) {
     if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
     if (settings.method == Method::direct || (settings.method == Method::mc && !is_lattice(settings.placement)))
         return 16;
     return std::max<std::uint64_t>(16, 64 / settings.pool);
 }
 
-PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings, const Image& truth) {
+static PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings, const Image& truth) {
     RootMeanSquare rmse, brightness, predicted;
     Statistics correlation, covered;
     const std::uint64_t end = settings.seed + seeds_of(settings);
@@ -72,8 +71,6 @@ PictureCost picture_cost(const EnvironmentLight& light, PictureSettings settings
     return {settings,     rmse.value(),     rmse.standard_error(), predicted.value(),
             covered.mean, correlation.mean, brightness.value(),    0};
 }
-
-}  // namespace
 
 double seconds_of(const std::function<void()>& action) {
     double fewest = HUGE_VAL;

@@ -3,9 +3,6 @@
 
 #include "beyond/prediction/prediction.h"
 
-#include <string>
-#include <vector>
-
 namespace bmc {
 struct CostSettings {
     int size = 64;           // of the pictures, size x size pixels

@@ -1,7 +1,5 @@
 #include "beyond/reports/picture_error.h"
 
-#include <cmath>
-
 namespace bmc {
 Image dense_truth(const EnvironmentMap& environment, PictureSettings settings, std::size_t samples) {
     settings.method = Method::mc;

@@ -3,7 +3,6 @@
 #include "command_line/command_line.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bmc {
 namespace {
@@ -47,7 +46,7 @@ std::vector<Vec3> turned(const std::vector<Vec3>& directions, double turns) {
 
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     Random random(1, n);
-    std::vector<Vec3> directions = uniform_directions(n, random);
+    std::vector<Vec3> directions = random_directions(n, random);
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 d = directions[i];
         switch (set) {

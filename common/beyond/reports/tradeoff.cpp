@@ -6,31 +6,29 @@
 #include <numeric>
 
 namespace bmc {
-namespace {
-
 constexpr const char* stages[] = {"drawing directions", "building Q", "factoring Q", "computing z",
                                   "solving for the weights"};
 
 // z by its definition, the mean over 50,000 random directions times 2 pi, as programs without a closed form have it.
-std::vector<double> z_by_sum(const Covariance& covariance, const std::vector<Vec3>& directions) {
+static std::vector<double> z_by_sum(const Covariance& covariance, const std::vector<Vec3>& directions) {
     Random random(1, 0);
     std::vector<double> z(directions.size());
-    for (const Vec3& w : uniform_directions(50000, random))
+    for (const Vec3& w : random_directions(50000, random))
         for (std::size_t j = 0; j < z.size(); ++j)
             z[j] += 2 * portable::pi / 50000 * covariance.k(squared_distance(w, directions[j]));
     return z;
 }
 
-std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
+static std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
     const Covariance covariance;
     const double noise = ModelSettings().noise;
     Random random(1, n);
-    const std::vector<Vec3> directions = uniform_directions(n, random);
+    const std::vector<Vec3> directions = random_directions(n, random);
     const Matrix q = covariance_matrix(covariance, noise, directions);
     const Cholesky cholesky(q);
     const std::vector<double> z = z_of(covariance, directions);
     const QuadratureRule rule{directions, cholesky.solve(z)};
-    const std::function<double()> actions[] = {[&] { return uniform_directions(n, random).back().x; },
+    const std::function<double()> actions[] = {[&] { return random_directions(n, random).back().x; },
                                                [&] { return covariance_matrix(covariance, noise, directions)(0, 0); },
                                                [&] { return Cholesky(q).upper()(0, 0); },
                                                [&] { return z_of(covariance, directions).back(); },
@@ -44,18 +42,18 @@ std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
 }
 
 // The standard deviation of 2 pi f(w) for a uniform direction w.
-double standard_deviation(const Integrand& integrand) {
+static double standard_deviation(const Integrand& integrand) {
     const Integrand square{"", "", [&](Vec3 w) { return integrand.value(w) * integrand.value(w); }, 0};
     return std::sqrt(2 * portable::pi * dense_quadrature(square) - integrand.truth * integrand.truth);
 }
 
-std::string costly_operation(const IntegralCost& row) {
+static std::string costly_operation(const IntegralCost& row) {
     const auto most = std::max_element(row.seconds.begin(), row.seconds.begin() + 5);
     return formatted("# The costly operation at N = %zu is %s: %.0f %% of the time to make a rule.\n", row.samples,
                      stages[most - row.seconds.begin()], 100 * *most / row.rule_seconds());
 }
 
-std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
+static std::string integral_report(const std::vector<IntegralCost>& rows, bool timed) {
     std::string text =
         "# Root mean square errors; mc_samples: samples with which Monte Carlo has the error of Bayesian Monte "
         "Carlo.\n";
@@ -86,8 +84,6 @@ const char* const meaning =
 const char* const measured =
     "# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is\n"
     "# that relative to mc.\n";
-
-}  // namespace
 
 double IntegralCost::rule_seconds() const { return std::accumulate(seconds.begin(), seconds.begin() + 5, 0.0); }
 
