@@ -39,6 +39,17 @@ struct Wrong {};
 // Whether two numbers are the same but for rounding.
 bool same(double a, double b, double tolerance = 1e-6) { return std::fabs(a - b) <= tolerance * std::fabs(b) + 1e-12; }
 
+// Whether f throws such an exception.
+template <class Exception, class Function>
+bool throws(Function f) {
+    try {
+        f();
+        return false;
+    } catch (const Exception&) {
+        return true;
+    }
+}
+
 // A plain relation between two numbers, if there is one.
 std::string relation(double came, double right, double n) {
     if (!std::isfinite(came) || !std::isfinite(right) || right == 0 || came == 0) return "";
@@ -105,18 +116,20 @@ Directions directions_of(std::size_t n) {
 // ---- montecarlo
 
 void monte_carlo_rule_is_right() {
-    for (const std::size_t n : sizes) {
-        const Directions directions = directions_of(n);
-        const QuadratureRule rule = monte_carlo_rule({directions, Known::nothing});
-        const std::string in = formatted("n = %zu: ", n);
-        expect_size(in, "directions", rule.directions.size(), n);
-        expect_size(in, "weights", rule.weights.size(), n);
-        for (std::size_t i = 0; i < n; ++i) {
-            expect_direction(in + formatted("direction %zu", i), rule.directions[i], directions[i]);
-            expect(in + formatted("weight %zu", i), rule.weights[i], 2 * std::acos(-1) / real(n), real(n));
+    for (const auto& [name, density] : known_names)
+        for (const std::size_t n : sizes) {
+            const Directions directions = directions_of(n);
+            const QuadratureRule rule = monte_carlo_rule({directions, density});
+            const std::string in = formatted("n = %zu, density %s: ", n, name);
+            const double right = (density == Known::cosine ? 1 : 2) * std::acos(-1) / real(n);
+            expect_size(in, "directions", rule.directions.size(), n);
+            expect_size(in, "weights", rule.weights.size(), n);
+            for (std::size_t i = 0; i < n; ++i) {
+                expect_direction(in + formatted("direction %zu", i), rule.directions[i], directions[i]);
+                expect(in + formatted("weight %zu", i), rule.weights[i], right, real(n));
+            }
+            if (rule.known != density) wrong(in + "the rule's known part should be this density");
         }
-        if (rule.known != Known::nothing) wrong("its known part should be that of the set, nothing");
-    }
 }
 
 // ---- inverse
@@ -126,7 +139,8 @@ void covariance_matrix_is_right() {
         for (const std::size_t n : sizes) {
             const double noise = n == 3 ? 0.3 : 0.01;
             const double diagonal = std::max(1e-7, 1 - k.k(1e-15) / k.k(0));  // 2 - 2 w.w may be 1e-15, not 0
-            const Directions w = directions_of(n);
+            Directions w = directions_of(n);
+            w[n / 2] = w[0];
             const Matrix q = covariance_matrix(k, noise, w);
             const std::string in = text(k) + formatted(", noise %g, n = %zu: ", noise, n);
             expect_size(in, "elements", q.rows() * q.columns(), n * n);
@@ -137,7 +151,7 @@ void covariance_matrix_is_right() {
                     const Causes causes = {
                         {i == j ? NAN : k.k(chord), "that is k(chord), and k takes a squared chord"},
                         {i == j ? k.k(0) + noise : NAN, "the noise is added, and its square should be"}};
-                    expect(what, q(i, j), right, real(n), i == j ? diagonal : 1e-9, causes);  // a float is too short
+                    expect(what, q(i, j), right, real(n), chord > 0 ? 1e-9 : diagonal, causes);  // a float is too short
                 }
         }
 }
@@ -179,14 +193,12 @@ void upper_factor_is_right() {
             if (u(i, i) < 0) wrong(in + formatted("u(%zu, %zu) is negative", i, i));
         }
     }
-    Matrix indefinite(2, 2);
-    indefinite(0, 0) = indefinite(1, 1) = 1, indefinite(0, 1) = indefinite(1, 0) = 2;
-    try {
-        const Cholesky accepted(indefinite);
-    } catch (const NotPositiveDefinite&) {
-        return;
+    for (const double last : {0.5, 1 + 2 * DBL_EPSILON}) {  // a pivot below 0, and one of two roundings
+        Matrix refused(2, 2);
+        refused(0, 0) = 4, refused(0, 1) = refused(1, 0) = 2, refused(1, 1) = last;
+        if (!throws<NotPositiveDefinite>([&] { Cholesky{refused}; }))
+            wrong("a matrix that is not positive definite is accepted: root_of_pivot refuses it");
     }
-    wrong("a matrix that is not positive definite is accepted: root_of_pivot refuses it");
 }
 
 void inverse_is_right() {
@@ -211,18 +223,22 @@ void inverse_is_right() {
 void z_of_is_right() {
     for (const Covariance& k : covariances)
         for (const std::size_t n : sizes) {
+            const Known known = &k == covariances && n == 60 ? Known::cosine : Known::nothing;
             Directions w = directions_of(n);
             if (n == 41) w.insert(w.end(), {{0, 1 + 4e-16, 0}, {1, 0, 0}, {0, 1, 0}});
-            const Numbers z = z_of(k, w);
+            const Numbers z = z_of(k, w, known);
             expect_size(text(k) + ": ", "z", z.size(), w.size());
             for (std::size_t i = 0; i < w.size(); ++i) {
                 const double cosine = std::min(1.0, w[i].y), angle = std::acos(cosine);
-                const std::string what = text(k) + ": z of the direction " + text(w[i]);
-                expect(what, z[i], k.z(cosine), real(w.size()), 1e-9,
+                const std::string what = text(k) + ": z of the direction " + text(w[i]) +
+                                         (known == Known::cosine ? " with the known part cosine" : "");
+                expect(what, z[i], k.z(cosine, known), real(w.size()), 1e-9,
                        {{angle <= 1 ? k.z(angle) : NAN, "that is z(angle), and z takes the cosine, y"},
                         {k.k(cosine), "that is k(y), not z(y)"}});
             }
         }
+    if (!throws<std::invalid_argument>([] { z_of(Covariance(), {{0.6, -0.8, 0}}); }))
+        wrong("a direction below the horizon is accepted: Covariance::z refuses its y");
 }
 
 // ---- integral
@@ -293,12 +309,15 @@ void for_each_row(Function f) {
     const Integrand integrands[] = {{"", "cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
                                     {"", "1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
     for (const Integrand& integrand : integrands)
-        for (const std::size_t n : {3, 41}) {
+        for (const std::size_t n : {3, 41, 60}) {
             ErrorSettings settings;
             settings.seed = seed, settings.noise = n == 3 ? 0.3 : 0.05;
-            settings.mc_estimates = n == 3 ? 7 : 4, settings.bmc_estimates = n == 3 ? 5 : 6;
+            settings.mc_estimates = n == 3 ? 7 : n == 41 ? 4 : 300, settings.bmc_estimates = n == 3 ? 5 : 6;
             if (n == 3) settings.covariance = CovarianceFamily::squared_exponential;
-            f("of " + integrand.formula + formatted(" with n = %zu: ", n), settings, integrand, n);
+            if (n == 41) settings.placement = Placement::cosine;
+            if (n == 60) settings.known = Known::cosine;
+            const char* const with = n == 3 ? "" : n == 41 ? ", placement cosine" : ", known cosine";
+            f("of " + integrand.formula + formatted(" with n = %zu%s: ", n, with), settings, integrand, n);
         }
 }
 
@@ -322,8 +341,8 @@ void add_bmc_errors_is_right() {
         Statistics errors, predicted;
         for (std::size_t e = 0; predicted.count < real(settings.bmc_estimates); ++e) {
             const GaussianProcess process(settings.make_covariance(), settings.noise,
-                                          estimate_directions(settings, n, e).directions);
-            const Numbers y = sample(f, process.directions());
+                                          estimate_directions(settings, n, e).directions, settings.known);
+            const Numbers y = sample(f, process.directions(), settings.known);
             errors.add(std::fabs(process.integral(y) - f.truth));
             predicted.add(process.standard_error(y) * std::sqrt(2 / pi));
         }
@@ -332,6 +351,10 @@ void add_bmc_errors_is_right() {
         expect_errors("errors " + in + "bmc", row.bmc, errors);
         expect_errors("predicted errors " + in + "predicted", row.predicted, predicted);
     });
+    ErrorSettings singular;
+    singular.covariance = CovarianceFamily::squared_exponential, singular.noise = 0;
+    if (error_row({"", "1", [](Vec3) { return 1.0; }, 2 * pi}, 200, singular).refusal.empty())
+        wrong("n = 200, noise 0: NotPositiveDefinite, which the process throws, should go on to error_row");
 }
 
 // ---- shade
@@ -353,6 +376,7 @@ void cosine_rule_is_right() {
             expect_direction(in + formatted("direction %zu", i), came.directions[i], rule.directions[i]);
         }
         if (came.known != Known::cosine) wrong(in + "its known part is nothing, right is cosine");
+        if (cosine_rule(came).weights != came.weights) wrong(in + "cos(theta) goes into a rule that has it already");
     }
 }
 
@@ -411,7 +435,9 @@ void rotated_is_right() {
     const Directions normals = directions_of(41), local = directions_of(3);
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const double turns = real(i + 1) / 17;
-        const Frame frame(i % 2 == 0 ? normals[i] : -1 * normals[i]), came = frame.rotated(turns);
+        const Frame straight(i % 2 == 0 ? normals[i] : -1 * normals[i]);
+        const Frame frame = i < 20 ? straight : straight.rotated(0.3),
+                    came = frame.rotated(turns);  // turned once, twice
         const std::string in = "the normal " + text(frame.normal) + formatted(", turned by %.3g: ", turns);
         expect_direction(in + "the frame's normal", came.normal, frame.normal);
         for (const Vec3& v : local)
@@ -427,12 +453,15 @@ RenderSettings settings_of(Method method, std::size_t samples) {
     RenderSettings settings;
     settings.method = method, settings.samples = samples, settings.pool = 7, settings.noise = 0.05,
     settings.seed = seed;
+    if (samples == 41) settings.placement = Placement::cosine;
+    if (method == Method::mc) settings.placement = Placement::fibonacci;
     return settings;
 }
 
 QuadratureRule fresh_right_rule(const RenderSettings& settings, Random& random) {
-    return cosine_rule(bayesian_rule(settings.make_covariance(), settings.noise,
-                                     place_directions(settings.placement, settings.samples, random).directions));
+    const DirectionSet set = place_directions(settings.placement, settings.samples, random);
+    if (settings.method == Method::mc) return monte_carlo_rule(set);
+    return bayesian_rule(settings.make_covariance(), settings.noise, set.directions);
 }
 
 void expect_rule(const std::string& in, const QuadratureRule& came, const Frame& its, const QuadratureRule& right,
@@ -440,25 +469,31 @@ void expect_rule(const std::string& in, const QuadratureRule& came, const Frame&
     expect_size(in, "directions", came.directions.size(), right.directions.size());
     expect_size(in, "weights", came.weights.size(), right.weights.size());
     for (std::size_t j = 0; j < right.size(); ++j) {
-        expect(in + formatted("weight %zu", j), came.weights[j], right.weights[j], real(right.size()));
+        expect(in + formatted("weight %zu", j), came.weights[j], right.weights[j], real(right.size()), 1e-6,
+               {{right.weights[j] / right.directions[j].y, "cos(theta) is missing"}});
         expect_direction(in + formatted("in the world, direction %zu", j), its.to_world(came.directions[j]),
                          frame.to_world(right.directions[j]));
     }
 }
 
 void shared_rules_is_right() {
-    for (const Method method : {Method::single, Method::rotated, Method::pool, Method::direct})
+    for (const Method method : {Method::single, Method::rotated, Method::pool, Method::mc})
         for (const std::size_t n : {3, 41}) {
             const RenderSettings settings = settings_of(method, n);
-            const std::vector<QuadratureRule> shared = PixelRules(settings).shared();
-            const std::string in = formatted("method %s, n = %zu: ", method_names[static_cast<int>(method)].first, n);
-            expect_size(in, "rules", shared.size(), method == Method::pool ? 7 : method == Method::direct ? 0 : 1);
-            for (std::size_t i = 0; i < shared.size(); ++i) {
+            const PixelRules rules(settings);
+            const std::string in = formatted("method %s%s, n = %zu: ", method_names[static_cast<int>(method)].first,
+                                             method == Method::mc ? " on a lattice" : "", n);
+            expect_size(in, "rules", rules.shared().size(), method == Method::pool ? 7 : 1);
+            double sum = 0;
+            for (std::size_t i = 0; i < rules.shared().size(); ++i) {
                 Random random(seed, (std::uint64_t{1} << 63) + i);
+                const QuadratureRule right = fresh_right_rule(settings, random);
                 const Frame frame({0, 1, 0});
-                expect_rule(in + formatted("rule %zu: ", i), shared[i], frame, fresh_right_rule(settings, random),
-                            frame);
+                expect_rule(in + formatted("rule %zu, of rule_stream(settings_, %zu): ", i, i), rules.shared()[i],
+                            frame, cosine_rule(right), frame);
+                sum += relative_weight_sum(right) / real(rules.shared().size());
             }
+            expect(in + "the sum of the weights, without cos(theta), over 2 pi", rules.weight_sum(), sum);
         }
 }
 
@@ -475,15 +510,16 @@ void rule_for_is_right() {
             const PlacedRule came = rules.rule_for(normal, random);
             if (!came.own && !came.shared) wrong(in + "there is no rule, neither own nor shared");
             if (method == Method::direct) {
-                expect_rule(in, came.rule(), came.frame, fresh_right_rule(settings, copy), Frame(normal));
+                expect_rule(in, came.rule(), came.frame, cosine_rule(fresh_right_rule(settings, copy)), Frame(normal));
                 continue;
             }
             const double u = method == Method::pool ? copy.uniform() : 0;
             const std::size_t chosen = static_cast<std::size_t>(u * real(rules.shared().size()));
             for (std::size_t i = 0; i < rules.shared().size(); ++i)
                 if (i != chosen && came.rule().weights == rules.shared()[i].weights)
-                    wrong(in + formatted("the first random number is %.4g: it is rule %zu of 7, right is %zu", u, i,
-                                         chosen));
+                    wrong(in + formatted("the first random number, %.4g, chooses rule %zu of the rules 0 to 6, and the "
+                                         "second one turns it: it is rule %zu",
+                                         u, chosen, i));
             const double turns = method == Method::single ? 0 : copy.uniform();
             expect_rule(in + formatted("turned by %.3g: ", turns), came.rule(), came.frame, rules.shared()[chosen],
                         Frame(normal).rotated(turns));

@@ -17,6 +17,10 @@ TEST_CASE("the discs show light, posterior mean, deviation and error, and the es
     const double truth = std::stod(printed.substr(printed.find("truth ") + 6));
     CHECK((truth > 1.5 && truth < pi));  // the sphere hides a part of the sky, which would have pi
 
+    parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
+    CHECK(contains(stderr_of([&] { belief.report(); }),
+                   formatted("workbench: estimate %.4f, ", 0.5 * Covariance().z(w.y, Known::cosine) / q)));
+
     REQUIRE(picture.size() == header.size() + 3 * 800 * 200);
     const auto byte = [&](int x, int y) {
         return static_cast<unsigned char>(picture[header.size() + 3 * static_cast<std::size_t>(800 * y + x)]);

@@ -34,6 +34,18 @@ TEST_CASE("an error of rounding counts as none, a larger one counts, however sma
     }
 }
 
+TEST_CASE("a row of which a later process is refused has no errors of those before it") {
+    ErrorSettings settings;
+    settings.covariance = CovarianceFamily::squared_exponential;
+    settings.noise = 0;
+    for (const std::size_t estimates : {1u, 10u}) {
+        settings.bmc_estimates = estimates;
+        const ErrorRow row = error_row(cosine_integrand, 90, settings);
+        CHECK((row.refusal.empty() == (estimates == 1) && row.bmc.count == (estimates == 1)));
+        CHECK(row.predicted.count == row.bmc.count);
+    }
+}
+
 TEST_CASE("a line of the table has four digits, and - for what has no meaning; the gain is a quotient of errors") {
     ErrorRow row{10, {}, {}, {}, "refused"};
     for (const double error : {0.123456, 0.223456}) row.mc.add(error);
@@ -58,15 +70,15 @@ TEST_CASE("the tables have a line for each number of samples; one that a process
     };
     std::string output;
     try {
-        tables({"--integrand=cosine", "--samples=4,1,50", "--bmc-estimates=2", "--covariance=squared-exponential",
-                "--length-scale=100", "--noise=0"})
+        tables({"--samples=4,1,50", "--bmc-estimates=2", "--covariance=squared-exponential", "--length-scale=100",
+                "--noise=0"})
             .report();
     } catch (const Incomplete& incomplete) {
         output = incomplete.output + incomplete.what();
     }
     CHECK(contains(output, "\nno Gaussian process with these samples: 50; the matrix of 50 samples is not positive"));
     const auto rows = rows_of(output);
-    REQUIRE(rows.size() == 3 + 1);
+    REQUIRE(rows.size() == 4 * 3 + 1);
     CHECK((rows[0][0] == "4" && rows[1][0] == "1" && rows[1][3] != "-" && rows[2][3] == "-" && rows[2][5] == "-"));
     CHECK(rows_of(tables({"--samples=2", "--bmc-estimates=2", "--mc-estimates=3"}).report()).size() == 4);
     for (const std::string list : {"", "1,", ",1", "0", "4097", "1, 2"})

@@ -28,6 +28,7 @@ TEST_CASE("a request is a picture, the standard errors that two predict, or as m
         CHECK(asked(map, {"--known=" + known, "--rmse=1"}) ==
               formatted(told.c_str(), chosen.samples, chosen.rmse) + to_file(picture(light, settings), Format::pfm));
     }
+    CHECK(asked(map, {"--known=light", "--known=cosine"}) == asked(map, {"--known=cosine"}));  // the last one counts
     CHECK_THROWS_AS(parse({"--known=all"}, beyond::PictureRequest().options()), std::invalid_argument);
     CHECK(contains(asked(map, {"--show=error", "--method=single"}), "; all pixels share one rule"));
 }

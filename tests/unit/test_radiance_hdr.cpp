@@ -42,6 +42,9 @@ TEST_CASE("coded scanlines decode runs and literals of each component, up to 327
     std::string row = bytes_of({2, 2, 127, 255});
     for (int run = 0; run < 4 * 259; ++run) row += bytes_of({run % 259 == 258 ? 1 : 128 + 127, 136});  // 258 * 127 + 1
     CHECK(channels(read_hdr(hdr("-Y 1 +X 32767", row))) == std::vector<double>(3 * 32767, 136));
+    std::string literals = bytes_of({2, 2, 0, 128});  // 128 is the longest literal
+    for (int component = 0; component < 4; ++component) literals += bytes_of({128}) + std::string(128, '\x88');
+    CHECK(channels(read_hdr(hdr("-Y 1 +X 128", literals))) == std::vector<double>(3 * 128, 136));
     // The first texel announces a coded scanline, but for the width of the picture, or its own.
     CHECK(channels(read_hdr(hdr("-Y 1 +X 2", bytes_of({2, 2, 0, 136, 2, 2, 2, 136}))))[4] == 2);
     CHECK(channels(read_hdr(hdr("-Y 1 +X 8", bytes_of({2, 2, 128, 136}) + std::string(28, '\3'))))[2] == 128);
