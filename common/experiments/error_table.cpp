@@ -50,7 +50,8 @@ static std::string cell(int width, double number) {
 }
 
 static std::string mean_cells(const Statistics& errors, int width) {
-    return cell(width, errors.count > 0 ? errors.mean : NAN) + cell(10, errors.standard_error());
+    const double plus_minus = errors.standard_error(), least = 1e-12 * errors.mean;
+    return cell(width, errors.count > 0 ? errors.mean : NAN) + cell(10, plus_minus < least ? 0 : plus_minus);
 }
 
 // Throws std::invalid_argument if there is none.

@@ -19,7 +19,7 @@ static std::vector<double> bayesian_weights(const Cholesky& cholesky, const std:
 }
 // END SOLUTION
 
-// zz - z^T Q^-1 z, where weights = Q^-1 z. A variance is not negative, but rounding can make it so.
+// zz - z^T Q^-1 z, where weights = Q^-1 z. A variance is not negative; where rounding makes it so, it is 0.
 // BEGIN SOLUTION integral
 static double posterior_variance(double zz, const std::vector<double>& z, const std::vector<double>& weights) {
     const double variance = zz - sum_of_products(z, weights);

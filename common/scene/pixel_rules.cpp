@@ -36,8 +36,8 @@ PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), co
     for (QuadratureRule& rule : shared_) rule = cosine_rule(std::move(rule));
 }
 
+// Made once, before the first pixel: rule i by fresh_rule and rule_stream(settings_, i), still without cos(theta).
 // BEGIN SOLUTION shared_rules
-// Made once, before the first pixel: the costly part of a process does not depend on the pixel.
 std::vector<QuadratureRule> PixelRules::shared_rules() const {
     std::vector<QuadratureRule> rules;
     for (std::size_t i = 0; i < shared_count(settings_); ++i) {

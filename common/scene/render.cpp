@@ -12,11 +12,10 @@ Shade reflected_environment(const Scene& scene, const EnvironmentMap& environmen
 }
 
 Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade) {
-    const Camera camera{settings.width, settings.height};
     Image image(settings.width, settings.height);
     for_each_row(settings.height, settings.threads, [&](int y) {
         for (int x = 0; x < settings.width; ++x) {
-            const Ray ray = camera.ray(x, y);
+            const Ray ray = Camera{settings.width, settings.height}.ray(x, y);
             const std::optional<Hit> hit = intersect(scene, ray);
             image(x, y) = hit ? shade(*hit, x, y) : background.interpolated_radiance(ray.direction);
         }

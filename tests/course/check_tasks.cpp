@@ -116,11 +116,12 @@ Directions directions_of(std::size_t n) {
 // ---- montecarlo
 
 void monte_carlo_rule_is_right() {
-    for (const auto& [name, density] : known_names)
+    for (const Known density : {Known::nothing, Known::cosine})
         for (const std::size_t n : sizes) {
             const Directions directions = directions_of(n);
             const QuadratureRule rule = monte_carlo_rule({directions, density});
-            const std::string in = formatted("n = %zu, density %s: ", n, name);
+            const std::string in =
+                formatted(density == Known::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
             const double right = (density == Known::cosine ? 1 : 2) * std::acos(-1) / real(n);
             expect_size(in, "directions", rule.directions.size(), n);
             expect_size(in, "weights", rule.weights.size(), n);
@@ -140,7 +141,7 @@ void covariance_matrix_is_right() {
             const double noise = n == 3 ? 0.3 : 0.01;
             const double diagonal = std::max(1e-7, 1 - k.k(1e-15) / k.k(0));  // 2 - 2 w.w may be 1e-15, not 0
             Directions w = directions_of(n);
-            w[n / 2] = w[0];
+            if (n == 41) w[7] = w[0];
             const Matrix q = covariance_matrix(k, noise, w);
             const std::string in = text(k) + formatted(", noise %g, n = %zu: ", noise, n);
             expect_size(in, "elements", q.rows() * q.columns(), n * n);

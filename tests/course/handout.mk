@@ -1,5 +1,5 @@
 # make check        which tasks are right, which are wrong and why, and which are not written yet
-# make belief       belief.ppm: what your process believes of the light at a point, by the tasks inverse, z and integral
+# make belief       belief.ppm: what your process believes of the light at a point, by the tasks montecarlo, inverse, z and integral
 
 .PHONY: check belief
 WARNINGS += -Wno-unused-parameter -Wno-unused-function -Wno-unused-variable  # of what no task uses yet

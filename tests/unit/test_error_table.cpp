@@ -58,6 +58,8 @@ TEST_CASE("a line of the table has four digits, and - for what has no meaning; t
     CHECK((row.gain() == 2 && row.equivalent_mc_samples() == 40));
     CHECK(shows(Placement::cosine, "10 0.1735 0.05 0.08673 - 0.01 2 40"));
     CHECK(shows(Placement::fibonacci, "10 0.1735 0.05 0.08673 - 0.01 2 -"));
+    row.bmc.add(0.0867280 * (1 + 1e-14));  // which differ by rounding
+    CHECK(shows(Placement::fibonacci, "10 0.1735 0.05 0.08673 0 0.01 2 -"));
     row.mc = {};
     CHECK(std::isnan(row.gain()));
 }
