@@ -92,11 +92,8 @@ static inline Color mountains(Color behind, Vec3 d, double scale, double height,
     return mix(behind, paled, edge(skyline(d, scale, height)) * edge(d.y + foot));
 }
 
-// All layers, the far ones first, except those that cannot be seen at this height.
-static inline Color desert(Vec3 d) {
-    const double above = edge(d.y);
-    Color color = above < 1 ? ground(d) : Color{};
-    if (above > 0) color = mix(color, sky(d), above);
+// What stands before ground and sky, the far things first, except what cannot be seen at this height.
+static inline Color desert(Color color, Vec3 d) {
     if (d.y > 0.5 || d.y < -0.1) return color;
     if (d.y < 0.14) color = mountains(color, d, 3, 0.13, 0, 3, 0.62);
     if (d.y < 0.09) color = mountains(color, d, 5, 0.08, 0.01, 2, 0.35);
@@ -104,12 +101,12 @@ static inline Color desert(Vec3 d) {
     return {clamp01(color.x), clamp01(color.y), clamp01(color.z)};
 }
 
-static inline Color bright_desert(Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert(d); }
+static Color bright_desert(Color c, Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert(c, d); }
 
-static inline Color black_and_white(Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
+static Color black_and_white(Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
 
-// The map of a light, from what it is at the centres of texels.
-template <Color light(Vec3)>
+// The map of a light at the centres of texels: ground and sky, and what stands before them.
+template <Color light(Color, Vec3)>
 static EnvironmentMap painted(unsigned threads) {
     constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
@@ -117,10 +114,13 @@ static EnvironmentMap painted(unsigned threads) {
     EnvironmentMap map(width, height);
     for_each_row(height, threads, [&](int j) {
         const auto [sine, cosine] = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
-        for (int i = 0; i < width; ++i) {
-            const portable::SineCosine azimuth = azimuths[static_cast<std::size_t>(i)];
-            map.set(i, j, light({sine * azimuth.sine, cosine, -sine * azimuth.cosine}));
-        }
+        const double above = edge(cosine);
+        std::vector<Vec3> directions;
+        for (const auto& a : azimuths) directions.push_back({sine * a.sine, cosine, -sine * a.cosine});
+        std::vector<Color> colors(width);
+        for (std::size_t i = 0; i < width && above < 1; ++i) colors[i] = ground(directions[i]);
+        for (std::size_t i = 0; i < width && above > 0; ++i) colors[i] = mix(colors[i], sky(directions[i]), above);
+        for (std::size_t i = 0; i < width; ++i) map.set(static_cast<int>(i), j, light(colors[i], directions[i]));
     });
     return map;
 }

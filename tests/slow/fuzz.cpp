@@ -14,14 +14,19 @@ using namespace bmc;
 
 namespace {
 
+void require_one_line(const std::string& error) {
+    if (error.empty() || error.find('\n') != std::string::npos) std::abort();
+}
+
 template <class Read>
 void check(const std::string& bytes, Read read) {
     std::istringstream in(bytes);
     try {
         if (!read(in)) std::abort();
     } catch (const std::runtime_error& error) {
-        const std::string text = error.what();
-        if (text.empty() || text.find('\n') != std::string::npos) std::abort();
+        require_one_line(error.what());
+    } catch (const std::invalid_argument& error) {
+        require_one_line(error.what());
     }
 }
 

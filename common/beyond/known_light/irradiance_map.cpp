@@ -7,7 +7,7 @@ namespace bmc {
 // The cells that light is gathered in, and the cells of the table, which holds E at their corners.
 constexpr int light_columns = 96, light_rows = 48, columns = 128, rows = 64;
 
-// The part, of so many equal ones, that texel i of n lies in.
+// The part, of `parts` equal ones, that texel i of n lies in.
 static std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
 
 // The integral of L w dw for each cell and each colour.

@@ -6,7 +6,7 @@
 // angle 2 pi / N around sample j (Krivanek & Colbert, "Real-time shading with filtered importance sampling", Computer
 // Graphics Forum 27(4), 2008). For a constant V the quotient is exact.
 //
-// The sun (sun.h) is a light of its own, with the same quotient. If it sends the share s of the light, it gets s / 2 of
+// The sun (sun.h) is a second light, with the same quotient. If it sends the share s of the light, it gets s / 2 of
 // a pixel's samples, since the edge of its shadow needs few. The rule for the sky gets the others.
 #pragma once
 
@@ -14,7 +14,7 @@
 #include "scene/render.h"
 
 namespace bmc {
-// How many of a pixel's samples go to the sun: at least one, or none where there is no sun.
+// The number of a pixel's samples that go to the sun: at least one, or none where there is no sun.
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
 
 // The settings of the rules for the sky: without the sun's samples, but at least one.
@@ -24,7 +24,7 @@ RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironmen
 Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule,
                   const Frame& frame);
 
-// L_o, linear RGB, by these rules for the sky and by so many rays to the sun. Scene and light must outlive it.
+// L_o, linear RGB, by these rules for the sky and by `sun_rays` rays to the sun. Scene and light must outlive it.
 Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
                             std::size_t sun_rays);
 }  // namespace bmc

@@ -22,7 +22,7 @@ struct Quotient {
 
 class Sun {
 public:
-    // The texels of more than so many times the mean.
+    // The texels of more than `threshold` times the mean.
     explicit Sun(const EnvironmentMap& map, double threshold = 100);
 
     bool empty() const { return texels_.empty(); }
