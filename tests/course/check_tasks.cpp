@@ -278,7 +278,7 @@ void posterior_variance_is_right() {
         expect(in + "the variance", process.variance(), right, real(process.z().size()));
     });
     Random random(seed, 8);
-    for (int i = 0; i < 2000; ++i) {  // three samples tell all of so smooth a function: rounding makes some negative
+    for (int i = 0; i < 2000; ++i) {  // three samples determine so smooth a function, and rounding makes some negative
         const Covariance k(CovarianceFamily::squared_exponential, 1e6);
         try {
             const double variance = GaussianProcess(k, 0, random_directions(3, random)).variance();

@@ -28,7 +28,7 @@ struct Number {
     double least;  // what counts as a standard deviation at least: correct programs differ in frames and roundings, too
 };
 
-// Linear light, as it is once it has been written to a file and read.
+// The linear light of an image that has been written to a file and read.
 Image stored(Image image, const PictureRequest& request) {
     const double factor = request.format == Format::ppm ? portable::pow(2, request.exposure) : 1;
     for (Color& pixel : image.pixels) pixel = factor * pixel;
@@ -41,7 +41,7 @@ Image rendered(const EnvironmentMap& light, const PictureRequest& request) {
     return stored(render(scene, light, request.settings, reflected_environment(scene, light, rules)), request);
 }
 
-// Nearly without noise.
+// A picture nearly without noise.
 Image true_picture(const EnvironmentMap& light, PictureRequest request) {
     request.settings.method = Method::mc;
     request.settings.placement = Placement::cosine_fibonacci;
@@ -49,7 +49,7 @@ Image true_picture(const EnvironmentMap& light, PictureRequest request) {
     return rendered(light, request);
 }
 
-// Up to two codes of a PPM.
+// Whether two colours differ by at most two codes of a PPM.
 bool looks_like(Color here, Color right) {
     const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.002 + 0.02 * b; };
     return near(here.x, right.x) && near(here.y, right.y) && near(here.z, right.z);
@@ -81,7 +81,7 @@ std::string background_difference(const Image& picture, const Image& truth, cons
 
 using Errors = std::map<std::pair<int, int>, double>;  // of the pixels (x, y) of an object
 
-// That of the errors so many columns and rows apart.
+// The correlation of errors that are this many columns and rows apart.
 double correlation(const Errors& errors, int columns, int rows) {
     double products = 0, squares = 0;
     for (const auto& [pixel, error] : errors) {
@@ -129,7 +129,7 @@ std::vector<Number> numbers_of(const Image& picture, const Image& truth, bool on
            numbers_of(picture, truth, Object::rectangle, one_rule);
 }
 
-// A line for each number that is more than so many deviations away from those of correct pictures.
+// A line for each number that is more than `most` deviations away from those of correct pictures.
 std::string number_differences(const std::vector<Number>& numbers, const std::vector<std::vector<Number>>& correct,
                                double most) {
     std::string text;
@@ -164,7 +164,7 @@ std::string differences(const std::string& file, const EnvironmentMap& light, Pi
     std::vector<std::vector<Number>> correct;
     for (settings.seed = first_seed; correct.size() < correct_pictures; ++settings.seed)
         correct.push_back(numbers_of(rendered(light, request), truth, one_rule));
-    // Numbers of pictures by one rule have longer tails, of which eight draws tell little.
+    // Numbers of pictures by one rule have longer tails, which eight draws hardly show.
     const std::string text = number_differences(numbers_of(picture, truth, one_rule), correct, one_rule ? 8 : 6);
     return background_difference(picture, truth, light, request) +
            (text.empty() ? "" : "number                                  here   expected   deviations\n" + text);
