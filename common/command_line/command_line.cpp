@@ -77,11 +77,13 @@ int run_program(const char* name, const std::function<std::string()>& body) {
         return status;
     };
     try {
-        write_all(body());
+        try {
+            write_all(body());
+        } catch (const Incomplete& incomplete) {
+            write_all(incomplete.output);
+            throw;
+        }
         return 0;
-    } catch (const Incomplete& incomplete) {
-        write_all(incomplete.output);
-        return fail(incomplete.what(), 1);
     } catch (const std::invalid_argument& error) {
         return fail(error.what(), 2);
     } catch (const std::bad_alloc&) {

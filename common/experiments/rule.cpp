@@ -48,16 +48,15 @@ Samples read_samples(std::istream& in) {
         ++number;
         std::istringstream words(line.substr(0, line.find('#')));
         std::vector<double> columns;
-        bool finite = true;
         for (std::string word; words >> word;) {
             char* end = nullptr;
-            columns.push_back(std::strtod(word.c_str(), &end));
-            finite &= *end == '\0' && std::isfinite(columns.back());
+            const double column = std::strtod(word.c_str(), &end);
+            columns.push_back(*end == '\0' ? column : NAN);
         }
         if (columns.empty()) continue;
-        const std::size_t n = finite ? columns.size() : 0;
+        const std::size_t n = columns.size();
         const Vec3 w = n >= 3 && n <= 5 ? Vec3{columns[0], columns[1], columns[2]} : Vec3{};
-        if (!(std::fabs(length(w) - 1) <= 1e-6 && w.y >= 0))
+        if (!(std::fabs(length(w) - 1) <= 1e-6 && w.y >= 0 && std::isfinite(columns.back())))
             throw std::runtime_error(
                 formatted("line %zu: it should be x y z, x y z value, or x y z z_j weight", number) +
                 ", with a direction (x, y, z) above the horizon");

@@ -1,10 +1,9 @@
-// The mean of numbers and its standard error.
+// The mean of numbers and its standard error, by Welford's algorithm (Technometrics 1962, page 419).
 #pragma once
 
 #include "numerics/portable_math.h"
 
 namespace bmc {
-// Welford's algorithm (Technometrics 1962, page 419).
 struct Statistics {
     double count = 0, mean = 0;
     double squares = 0;  // sum of the squared differences from the mean
