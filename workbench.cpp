@@ -32,9 +32,9 @@ static std::string run(int argc, char** argv) {
         std::vector<Command>{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
                              command<RuleReport>("rule", "directions and weights of a rule"),
                              command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
-                             {"light", "the built-in light, > desert.pfm", {}, light_file}} +
+                             {"light", "the built-in light for others, > desert.pfm", {}, light_file}} +
         beyond::commands();
-    const bool named = argc > 1 && argv[1][0] != '-';
+    const bool named = argc > 1 && *argv[1] && *argv[1] != '-';
     const std::string name = named ? argv[1] : "";
     std::string names, usages;
     for (const Command& each : commands) {

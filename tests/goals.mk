@@ -1,7 +1,7 @@
 # Goals beside the programs; tests/README.md says which to make when.
 # make test         every unit test, and the programs' output against tests/output/references
 # make judge        build/judge, which judges pictures by programs with other random numbers
-# make references   rewrites these, or with ONLY='halton*' some: only when the output is meant to change
+# make references   rewrites these, or with ONLY='pool*' some: only when the output is meant to change
 # make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
 # make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists

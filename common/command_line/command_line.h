@@ -49,8 +49,8 @@ std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
     return a;
 }
 
-// Applies the options in argv, and returns the arguments that no option takes. Throws
-// std::invalid_argument that names the option.
+// Applies the options in argv, and returns the arguments that no option takes. Throws std::invalid_argument that names
+// the option.
 std::vector<std::string> parse_options(int argc, char** argv, const Options& options);
 
 // A line for each option, for a help text.

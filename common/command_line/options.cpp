@@ -59,7 +59,8 @@ Options PictureRequest::options() {
 void PictureRequest::require_possible() const {
     const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
     if (!one_lattice && settings.samples > max_process_samples)
-        throw std::invalid_argument("--samples: at most 4096 are allowed, except for --method mc on a lattice");
+        throw std::invalid_argument(
+            formatted("--samples: %zu are too many, at most 4096 but for --method mc on a lattice", settings.samples));
 }
 
 Image PictureRequest::image(const EnvironmentMap& light) const {

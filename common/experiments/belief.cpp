@@ -3,6 +3,7 @@
 #include "experiments/integrands.h"
 #include "numerics/parallel.h"
 
+#include <algorithm>
 #include <numeric>
 #include <thread>
 

@@ -8,7 +8,7 @@ static std::vector<std::size_t> parse_samples(const std::string& text) {
     std::vector<std::size_t> numbers;
     std::istringstream words(text + ',');
     for (std::string word; std::getline(words, word, ',');)
-        numbers.push_back(parse_whole(word, 1, max_process_samples));
+        numbers.push_back(static_cast<std::size_t>(parse_whole(word, 1, max_process_samples)));
     return numbers;
 }
 
@@ -59,7 +59,8 @@ static std::vector<Integrand> integrands_named(const std::string& name) {
     std::vector<Integrand> named;
     for (const Integrand& integrand : practice_integrands())
         if (name.empty() || integrand.name == name) named.push_back(integrand);
-    if (named.empty()) throw std::invalid_argument("--integrand: none has the name '" + name + "'; --help lists them");
+    if (named.empty())
+        throw std::invalid_argument("--integrand: '" + name + "' is not cosine, cosine-cubed, environment or constant");
     return named;
 }
 

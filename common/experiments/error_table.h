@@ -12,8 +12,7 @@ struct ErrorSettings : ModelSettings {
     std::size_t mc_estimates = 100, bmc_estimates = 10;
 };
 
-// Absolute errors of Monte Carlo and of Bayesian Monte Carlo, and those that the process predicts. A
-// process that is refused has no errors.
+// Absolute errors of both methods, and those that the process predicts. A process that is refused has none.
 struct ErrorRow {
     std::size_t samples;
     Statistics mc, bmc, predicted;

@@ -59,12 +59,12 @@ Samples read_samples(std::istream& in) {
         if (!(std::fabs(length(w) - 1) <= 1e-6 && w.y >= 0 && std::isfinite(columns.back())))
             throw std::runtime_error(
                 formatted("line %zu: it should be x y z, x y z value, or x y z z_j weight", number) +
-                ", with a direction (x, y, z) above the horizon");
+                ", with a direction (x, y, z) of length 1 and y >= 0");
         samples.directions.push_back(w);
         if (columns.size() == 4) samples.values.push_back(columns[3]);
     }
     if (!samples.values.empty() && samples.values.size() != samples.directions.size())
-        throw std::runtime_error("all lines have values, or none has");
+        throw std::runtime_error("there are values in some lines only: all lines have one, or none has");
     if (samples.directions.empty() || samples.directions.size() > max_process_samples)
         throw std::runtime_error(
             formatted("there are %zu directions, and 1 to 4096 are allowed", samples.directions.size()));

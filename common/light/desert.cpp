@@ -105,7 +105,7 @@ static Color bright_desert(Color c, Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0
 
 static Color black_and_white(Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
 
-// The map of a light at the centres of texels: ground and sky, and what stands before them.
+// The map of a light at the centres of texels: ground and sky, and what stands before them or in their place.
 template <Color light(Color, Vec3)>
 static EnvironmentMap painted(unsigned threads) {
     constexpr int width = 1024, height = 512;

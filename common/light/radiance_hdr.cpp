@@ -47,7 +47,7 @@ unsigned char byte(std::istream& in) {
 Rgbe texel(std::istream& in) {
     Rgbe rgbe;
     for (unsigned char& component : rgbe) component = byte(in);
-    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) throw std::runtime_error("runs of the oldest kind: save it anew");
+    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) throw std::runtime_error("runs of before 1991: save it anew");
     return rgbe;
 }
 

@@ -21,8 +21,7 @@ constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
 
 // A family of covariances and the value of its parameter.
 // - sobolev, smoothness s in (1, 2): k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan & Womersley,
-// "QMC
-//   designs", Mathematics of Computation 2014). At s = 3/2, k(r) = 8/3 - r falls straight from 8/3 to 2/3. Its
+//   "QMC designs", Mathematics of Computation 2014). At s = 3/2, k(r) = 8/3 - r falls straight from 8/3 to 2/3. Its
 //   functions are continuous, as radiance is between edges, with kinks.
 // - squared_exponential, length-scale l >= 0.05: k(r) = exp(-r^2 / 2 l^2). Its functions have all derivatives. Below
 //   l = 0.05, e^(-1 / l^2) comes close to underflow.

@@ -1,5 +1,5 @@
-// Quadrature rules over the hemisphere H: what Monte Carlo and Bayesian Monte Carlo have in common. Code that
-// applies a rule need not know where its weights come from.
+// Quadrature rules over the hemisphere H: what Monte Carlo and Bayesian Monte Carlo have in common. Code that applies a
+// rule need not know where its weights come from.
 #pragma once
 
 #include "quadrature/gaussian_process.h"

@@ -1,6 +1,5 @@
-// A method gives each pixel its quadrature rule. Brouillat, Bouville, Loos, Hansen &
-// Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009), share rules
-// between pixels, as the last three methods do.
+// A method gives each pixel its quadrature rule. The last three share rules between pixels, as do Brouillat, Bouville,
+// Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
 #include "scene/reflection.h"

@@ -310,7 +310,7 @@ void for_each_row(Function f) {
     const Integrand integrands[] = {{"", "cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
                                     {"", "1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
     for (const Integrand& integrand : integrands)
-        for (const std::size_t n : {3, 41, 60}) {
+        for (const std::size_t n : {3u, 41u, 60u}) {
             ErrorSettings settings;
             settings.seed = seed, settings.noise = n == 3 ? 0.3 : 0.05;
             settings.mc_estimates = n == 3 ? 7 : n == 41 ? 4 : 300, settings.bmc_estimates = n == 3 ? 5 : 6;
@@ -479,7 +479,7 @@ void expect_rule(const std::string& in, const QuadratureRule& came, const Frame&
 
 void shared_rules_is_right() {
     for (const Method method : {Method::single, Method::rotated, Method::pool, Method::mc})
-        for (const std::size_t n : {3, 41}) {
+        for (const std::size_t n : {3u, 41u}) {
             const RenderSettings settings = settings_of(method, n);
             const PixelRules rules(settings);
             const std::string in = formatted("method %s%s, n = %zu: ", method_names[static_cast<int>(method)].first,
@@ -500,7 +500,7 @@ void shared_rules_is_right() {
 
 template <Method method>
 void rule_for_is_right() {
-    for (const std::size_t n : {3, 41}) {
+    for (const std::size_t n : {3u, 41u}) {
         const RenderSettings settings = settings_of(method, n);
         const PixelRules rules(settings);
         for (const Vec3& direction : directions_of(41)) {

@@ -14,19 +14,14 @@ using namespace bmc;
 
 namespace {
 
-void require_one_line(const std::string& error) {
-    if (error.empty() || error.find('\n') != std::string::npos) std::abort();
-}
-
-template <class Read>
+template <class Error, class Read>
 void check(const std::string& bytes, Read read) {
     std::istringstream in(bytes);
     try {
         if (!read(in)) std::abort();
-    } catch (const std::runtime_error& error) {
-        require_one_line(error.what());
-    } catch (const std::invalid_argument& error) {
-        require_one_line(error.what());
+    } catch (const Error& error) {
+        const std::string text = error.what();
+        if (text.empty() || text.find('\n') != std::string::npos) std::abort();
     }
 }
 
@@ -51,15 +46,15 @@ bool reads_options(std::istream& in) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const std::string text(bytes, bytes + size);
-    check(text, [](std::istream& in) {
+    check<std::runtime_error>(text, [](std::istream& in) {
         const Color corner = read_radiance_hdr(in).radiance({0, -1, 0});
         return corner.x >= 0 && corner.y >= 0 && corner.z >= 0;
     });
-    check(text, [](std::istream& in) {
+    check<std::runtime_error>(text, [](std::istream& in) {
         const Samples samples = read_samples(in);
         return !samples.directions.empty() &&
                (samples.values.empty() || samples.values.size() == samples.directions.size());
     });
-    check(text, reads_options);
+    check<std::invalid_argument>(text, reads_options);
     return 0;
 }

@@ -26,4 +26,12 @@ TEST_CASE("two threads have a row each at one time, and an exception of either r
         CHECK_THROWS_AS(for_each_row(2, 2, fail), std::bad_alloc);
         CHECK(begun == 2);
     }
+    std::atomic<int> later{0};  // the other thread begins no more rows
+    const auto fail_first = [&](int y) {
+        if (y == 0) throw std::bad_alloc();
+        ++later;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    CHECK_THROWS_AS(for_each_row(300, 2, fail_first), std::bad_alloc);
+    CHECK(later < 299);
 }

@@ -70,7 +70,7 @@ TEST_CASE("what is no Radiance picture, of a kind that is not supported, or cut 
     const auto row_refused = [&](const std::vector<int>& bytes, const std::string& reason) {
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
     };
-    row_refused({1, 1, 1, 2}, "runs of the oldest kind");
+    row_refused({1, 1, 1, 2}, "runs of before 1991: save it anew");
     for (const int code : {137, 9, 0, 128})
         row_refused({2, 2, 0, 8, code, 1, 1, 1, 1, 1, 1, 1, 1, 1}, "a run is empty, or ends after");
     row_refused({2, 2, 0, 9}, "the scanline announces another width than the header");

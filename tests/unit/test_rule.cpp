@@ -24,16 +24,17 @@ TEST_CASE("directions are read with or without values, among comments, and as th
     CHECK(samples_in("0.8000008 0.6 0\n").directions.size() == 1);  // a length of 1 + 6.4e-7
 }
 
-TEST_CASE("a line that is no direction is named, with what a line should be") {
+TEST_CASE("a line that is no direction is named, with what a line should be; so are values in some lines only") {
     const auto refused = [](const std::string& content, const std::string& reason) {
         CHECK_MESSAGE(contains(message_of([&] { samples_in(content); }), reason), content);
     };
     refused("0 1 0\n\n0 1 x\n", "line 3: it should be x y z, x y z value, or x y z z_j weight");
     for (const char* line : {"0,1,0\n", "0 1 nan\n", "0 1 0 1e400", "0 1\n", "0 1 0 1 1 1\n", "0 1.000002 0\n",
                              "0 0.999998 0\n", "1 -1e-300 0\n"})
-        refused(line, "line 1: it should be");
+        refused(line,
+                "line 1: it should be x y z, x y z value, or x y z z_j weight, with a direction (x, y, z) of length 1");
     for (const char* lines : {"0 1 0\n0 1 0 5\n", "0 1 0 5\n0 1 0\n"})
-        refused(lines, "all lines have values, or none has");
+        refused(lines, "there are values in some lines only");
     std::string rows;
     for (int i = 0; i < 4096; ++i) rows += "0 1 0\n";
     CHECK(samples_in(rows).directions.size() == 4096);

@@ -110,10 +110,10 @@ std::string ModelsReport::report() const {
     for (const Model& model : all_models()) {
         const ModelResults v = results_of(model, integrands, samples);
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
-        text +=
-            formatted("%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance.family(), covariance_names),
-                      model.covariance.parameter(), model.noise, v.error.value(), v.error.standard_error(),
-                      v.predicted.value() / v.error.value(), v.evidence.mean - evidence_of_default);
+        text += formatted(
+            "%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance.family(), covariance_names),
+            model.covariance.parameter(), model.noise, v.error.value(), v.error.standard_error(),
+            v.error.value() > 0 ? v.predicted.value() / v.error.value() : 0, v.evidence.mean - evidence_of_default);
     }
     const RootMeanSquare mc = monte_carlo_error(integrands, samples);
     return text + formatted("%-21s %9s %6s %10.4g %10.2g %6s %9s\n", "monte-carlo", "-", "-", mc.value(),

@@ -116,7 +116,7 @@ std::vector<PictureCost> picture_costs(const EnvironmentMap& environment, const 
     const EnvironmentLight light(environment, true, std::max(1u, std::thread::hardware_concurrency()));
     const Image truth = dense_truth(environment, with_size(costs, {}, 0), 10000);
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
-        throw std::invalid_argument("the environment lights no object, so there is no error to compare; take another");
+        throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
     for (const PictureSettings& each : compared)
         for (const std::size_t n : samples) {
