@@ -1,4 +1,4 @@
-// What the programs share: options on getopt_long, exit statuses and standard output. A mistake of the caller is a
+// What the programs share: options by getopt_long_only, exit statuses and standard output. A mistake of the caller is a
 // std::invalid_argument: what was given, what is allowed.
 #pragma once
 
@@ -59,7 +59,7 @@ std::string describe(const Options& options);
 // What the command prints for the arguments in argv: its report, or with --help the usage and its options.
 std::string run_command(Command command, const std::string& usage, int argc, char** argv);
 
-// The number that the whole text is. Both throw std::invalid_argument unless it lies in [low, high].
+// The whole text as a number. Both throw std::invalid_argument unless it lies in [low, high].
 double parse_real(const std::string& text, double low, double high);
 std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint64_t high);
 

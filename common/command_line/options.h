@@ -26,7 +26,7 @@ struct PictureRequest {
 
     Options options();
 
-    // Throws std::invalid_argument for more samples than a Gaussian process can have.
+    // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
     void require_possible() const;
 
     // The image of linear radiance. Throws what the Gaussian processes throw.

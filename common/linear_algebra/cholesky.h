@@ -9,7 +9,7 @@
 
 namespace bmc {
 // Thrown for a pivot that is not positive, or no larger than its rounding error (k + 1) eps a_kk (Higham, "Accuracy and
-// Stability of Numerical Algorithms", 2002, section 10.1). Two rows are then nearly the same.
+// Stability of Numerical Algorithms", 2002, section 10.1). The rows are then nearly dependent.
 struct NotPositiveDefinite : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -1,6 +1,6 @@
-// Elementary functions that give the same bits on every machine, and the guards that keep them. libm's differ between
-// libraries and even between processors running one binary; those here use + - * / floor, powers of two and integers
-// only, which IEEE 754 defines to the last bit. Every program includes this header first, so that its guards hold.
+// Elementary functions that give the same bits on every machine, and the guards that keep them. Those of libm differ
+// between libraries and even between processors running one binary. These use only + - * / sqrt, floor, powers of two
+// and integers, which IEEE 754 defines to the last bit. Every program includes this header first, for its guards.
 #pragma once
 
 // Only a portability check defines this: it has to see that other arithmetic changes the output.

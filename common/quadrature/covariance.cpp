@@ -106,7 +106,7 @@ Covariance::Covariance(CovarianceFamily family, double parameter)
 }
 
 // M(b): the mean of k(w, .) over the cap around w of height b = 1 - cos(radius). Equal heights have equal areas, and
-// the chord at height h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over h from 0 to b.
+// the chord at depth h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over h from 0 to b.
 double Covariance::cap_mean(double height) const {
     switch (family_) {
         case CovarianceFamily::sobolev: return constant_ - portable::pow(2 * height, exponent_) / (exponent_ + 1);

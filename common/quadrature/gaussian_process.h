@@ -14,8 +14,8 @@ class GaussianProcess {
 public:
     // n >= 1 unit directions in H. noise >= 0: the standard deviation of the samples' error, in units of the amplitude
     // of f (below). Its square is added to the diagonal of Q, so that two equal directions do not make Q singular.
-    // Throws std::invalid_argument for any other argument, also for a known part without a closed form, and
-    // NotPositiveDefinite if Q cannot be factored.
+    // Throws std::invalid_argument for a noise below 0, no direction, one below the horizon, or a known part without a
+    // closed form, and NotPositiveDefinite if Q cannot be factored.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
                     Known known = Known::nothing);
 

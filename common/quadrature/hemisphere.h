@@ -9,8 +9,8 @@
 
 namespace bmc {
 // n independent directions. With cos(theta) = u, uniform in (0, 1], they are uniform w.r.t. solid angle: their density
-// is 1 / 2 pi (Archimedes). by_cosine: with cos(theta) = sqrt(u) it is cos(theta) / pi (Malley's method). The cosine is
-// drawn first, then the azimuth.
+// is 1 / (2 pi) (Archimedes). by_cosine: with cos(theta) = sqrt(u) it is cos(theta) / pi (Malley's method). The cosine
+// is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, bool by_cosine = false);
 
 // n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles
@@ -25,7 +25,7 @@ Vec3 rotate_around_y(Vec3 direction, double turns);
 struct Frame {
     Vec3 tangent, normal, bitangent;
 
-    // The frame of a unit normal, continuous except where normal.z changes its sign. Dot products show that it is right
+    // The frame of a unit normal, continuous except where normal.z changes its sign. Dot products verify it
     // (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis, revisited", 2017).
     explicit Frame(Vec3 unit_normal);
 

@@ -51,9 +51,9 @@ struct DirectionSet {
 // A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
 
-// Monte Carlo: equal weights. For the density 1 / 2 pi they are 2 pi / n. For the density cos(theta) / pi, the estimate
-// of the integral of f cos(theta) is the mean of f cos(theta) / density = pi f. So the weights are pi / n, and the
-// known part is cos(theta) (importance sampling). On a lattice this is quasi-Monte Carlo.
+// Monte Carlo: equal weights. For the density 1 / (2 pi) they are 2 pi / n. For the density cos(theta) / pi, the
+// estimate of the integral of f cos(theta) is the mean of f cos(theta) / density = pi f. So the weights are pi / n, and
+// the known part is cos(theta) (importance sampling). On a lattice this is quasi-Monte Carlo.
 QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess. Throws as it does.
