@@ -36,7 +36,7 @@ PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), co
     for (QuadratureRule& rule : shared_) rule = cosine_rule(std::move(rule));
 }
 
-// Made once, before the first pixel: rule i by fresh_rule and rule_stream(settings_, i), still without cos(theta).
+// The shared_count(settings_) rules, made once: rule i by fresh_rule and rule_stream(settings_, i), without cos(theta).
 // BEGIN SOLUTION shared_rules
 std::vector<QuadratureRule> PixelRules::shared_rules() const {
     std::vector<QuadratureRule> rules;

@@ -127,7 +127,7 @@ void monte_carlo_rule_is_right() {
             expect_size(in, "weights", rule.weights.size(), n);
             for (std::size_t i = 0; i < n; ++i) {
                 expect_direction(in + formatted("direction %zu", i), rule.directions[i], directions[i]);
-                expect(in + formatted("weight %zu", i), rule.weights[i], right, real(n));
+                expect(in + formatted("weight %zu", i), rule.weights[i], right, real(n), 1e-9);  // not of a float
             }
             if (rule.known != density) wrong(in + "the rule's known part should be this density");
         }
@@ -155,6 +155,13 @@ void covariance_matrix_is_right() {
                     expect(what, q(i, j), right, real(n), chord > 0 ? 1e-9 : diagonal, causes);  // a float is too short
                 }
         }
+}
+
+void equal_directions_have_equal_rows() {
+    const Matrix q = covariance_matrix(Covariance(), 0, {{0, 1, 0}, {0, 1, 0}});
+    if (q(0, 0) != q(0, 1) || q(1, 0) != q(1, 1))
+        wrong(formatted("noise 0, (0, 1, 0) twice: Q(0, 0) is %.17g and Q(0, 1) is %.17g, and they should be equal",
+                        q(0, 0), q(0, 1)));
 }
 
 // A symmetric positive definite matrix whose smallest eigenvalue is so small that the digits of a float would be lost.
@@ -533,6 +540,7 @@ const std::map<std::string, std::vector<std::pair<const char*, void (*)()>>> tas
     {"montecarlo", {{"monte_carlo_rule", monte_carlo_rule_is_right}}},
     {"inverse",
      {{"covariance_matrix", covariance_matrix_is_right},
+      {"covariance_matrix", equal_directions_have_equal_rows},
       {"upper_factor", upper_factor_is_right},
       {"inverse", inverse_is_right}}},
     {"z", {{"z_of", z_of_is_right}}},
