@@ -23,7 +23,7 @@ static std::size_t shared_count(const RenderSettings& settings) {
 }
 
 PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), covariance_(settings.make_covariance()) {
-    if (shared_count(settings) > 0) shared_ = shared_rules();
+    if (shared_count(settings) > 0) shared_ = shared_rules();  // mc renders before that task is written
     std::vector<QuadratureRule> examined = shared_;
     if (examined.empty()) {
         Random random = rule_stream(settings, 0);

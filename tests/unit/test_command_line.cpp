@@ -1,7 +1,7 @@
 #include "command_line/command_line.h"
 #include "test.h"
 
-TEST_CASE("options take values in both spellings and leave the rest; a mistake is told with the name of the option") {
+TEST_CASE("options take values in both spellings and leave the rest; a mistake names its option") {
     std::string text;
     double real = 0;
     int whole = 0, flags = 0;

@@ -26,7 +26,7 @@ TEST_CASE("black and white is light from every direction with x > 0, and none fr
         if (std::fabs(w.x) > 0.01) CHECK(same(map.radiance(w), w.x > 0 ? Color{1, 1, 1} : Color{}));
 }
 
-TEST_CASE("a light from a file has the file's texels, and what is wrong is told with the file's name") {
+TEST_CASE("a light from a file has the file's texels, and an error names the file") {
     const TemporaryFile good("#?RADIANCE\n\n-Y 1 +X 2\n\200\100\40\201\200\100\40\204");
     CHECK(load_environment(good.name).width() == 2);
     CHECK(same(load_environment(good.name).texel(2), {8, 4, 2}));

@@ -65,7 +65,7 @@ TEST_CASE("a request is the light that the practice's scene reflects; a PPM has 
     CHECK(file == to_file(image, Format::ppm));
 }
 
-TEST_CASE("more than a tenth of the objects' pixels above white is told, with the exposure that makes them white") {
+TEST_CASE("more than a tenth of the objects' pixels above white warns, with the exposure that makes them white") {
     const auto warning = [](double grey, double black_fraction, double exposure) {
         PictureRequest request;
         request.exposure = exposure;
@@ -83,7 +83,7 @@ TEST_CASE("more than a tenth of the objects' pixels above white is told, with th
 }
 
 // The noise passes both thresholds in small steps.
-TEST_CASE("weights whose sizes sum to more than twice the integral, or that sum to less than half of it, are told") {
+TEST_CASE("weights whose sizes sum to more than twice the integral, or that sum to less than half, give a warning") {
     RenderSettings settings = small_picture(Method::single, 85);
     settings.covariance = CovarianceFamily::squared_exponential;
     int close_to_2 = 0, close_to_half = 0;

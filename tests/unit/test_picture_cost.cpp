@@ -2,7 +2,7 @@
 #include "test.h"
 
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
-TEST_CASE("the table tells the samples of Monte Carlo with the same error, and the efficiency relative to it") {
+TEST_CASE("the table has the samples of Monte Carlo with the same error, and the efficiency relative to it") {
     const PictureSettings mc{small_picture(Method::mc, 40), false}, pool{small_picture(Method::pool, 40), true};
     CHECK(rows_of(picture_table({{mc, 0.2, 0, 0, 0, 0, 0, 3}, {pool, 0.1, 0, 0, 0, 0, 0, 6}}, true)) ==
           rows_of("mc 3 uniform nothing 40 0.20000 0.00000 0.0000 0.00000 40 0.00000 0.000 3 1\n"
