@@ -86,11 +86,11 @@ std::string Belief::report() const {
     require_file_output("./workbench belief > belief.ppm");
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     const EnvironmentMap map = load_environment(environment, threads);
-    const Covariance covariance = settings.make_covariance();
+    const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
-    const GaussianProcess process(covariance, settings.noise,
-                                  place_directions(settings.placement, samples, random).directions, settings.known);
-    const Sky sky(map, covariance, process);
+    const GaussianProcess process(*covariance, settings.noise,
+                                  place_directions(settings.placement, samples, random).directions);
+    const Sky sky(map, *covariance, process);
     const auto value = [&](Vec3 w) { return dot(luminance, sky.light(w)) * known_part(settings.known, w); };
     const Integrand integrand{"", "", value, 0};
     const std::vector<double> values = sample(integrand, process.directions(), settings.known);

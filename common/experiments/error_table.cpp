@@ -33,10 +33,10 @@ static void add_mc_errors(ErrorRow& row, const Integrand& integrand, const Error
 // s has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
 static void add_bmc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
-    const Covariance covariance = settings.make_covariance();
+    const auto covariance = settings.make_covariance();
     for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
         const DirectionSet set = estimate_directions(settings, row.samples, e);
-        const GaussianProcess process(covariance, settings.noise, set.directions, settings.known);
+        const GaussianProcess process(*covariance, settings.noise, set.directions);
         const std::vector<double> values = sample(integrand, set.directions, settings.known);
         row.bmc.add(absolute_error(process.integral(values), integrand.truth));
         row.predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));

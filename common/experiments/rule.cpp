@@ -89,12 +89,12 @@ std::string RuleReport::report() const {
         if (directions != "-" && !file) throw std::runtime_error(directions + ": this file cannot be read");
         given = read_samples(directions == "-" ? std::cin : file);
     }
-    const Covariance covariance = settings.make_covariance();
-    const GaussianProcess process(covariance, settings.noise, given.directions, settings.known);
+    const auto covariance = settings.make_covariance();
+    const GaussianProcess process(*covariance, settings.noise, given.directions);
     std::string text = weights_block(process, settings.known);
     if (!given.values.empty()) text += estimate_line(process, settings.known, given.values);
     if (!matrices) return text;
-    return text + matrix_block("Q", covariance_matrix(covariance, settings.noise, given.directions)) +
+    return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());
 }
 }  // namespace bmc

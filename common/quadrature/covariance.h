@@ -5,7 +5,7 @@
 // where f p is the integrand: p is its known part, and the Gaussian process models f alone.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "quadrature/closed_forms.h"
 
 #include <utility>
 
@@ -14,50 +14,73 @@ namespace bmc {
 enum class Known { nothing, cosine };
 constexpr std::pair<const char*, Known> known_names[] = {{"nothing", Known::nothing}, {"cosine", Known::cosine}};
 
-// Add a family here and to the table; the compiler then names the two other places: k, and its mean over a cap.
-enum class CovarianceFamily { sobolev, squared_exponential };
-constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
-    {"sobolev", CovarianceFamily::sobolev}, {"squared-exponential", CovarianceFamily::squared_exponential}};
-
-// A family of covariances and the value of its parameter.
-// - sobolev, smoothness s in (1, 2): k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan & Womersley,
-//   "QMC designs", Mathematics of Computation 2014). At s = 3/2, k(r) = 8/3 - r falls straight from 8/3 to 2/3. Its
-//   functions are continuous, as radiance is between edges, with kinks.
-// - squared_exponential, length-scale l >= 0.05: k(r) = exp(-r^2 / 2 l^2). Its functions have all derivatives. Below
-//   l = 0.05, e^(-1 / l^2) comes close to underflow.
+// What each covariance says of itself. Only k and M have to be written; ModelSettings::make_covariance chooses one.
 class Covariance {
 public:
-    // Throws std::invalid_argument for a parameter outside of these ranges.
-    explicit Covariance(CovarianceFamily family = CovarianceFamily::sobolev, double parameter = 1.5);
-
-    CovarianceFamily family() const { return family_; }
-    double parameter() const { return parameter_; }
+    virtual ~Covariance() = default;
 
     // k of a squared chord, in [0, 4].
-    double k(double squared_chord) const {
-        if (has_closed_form_) return constant_ - std::sqrt(squared_chord);
-        switch (family_) {
-            case CovarianceFamily::sobolev: return constant_ - portable::pow(squared_chord, exponent_);
-            case CovarianceFamily::squared_exponential: return portable::exp(-0.5 * kappa_ * squared_chord);
-        }
-        return 0;
-    }
+    virtual double k(double squared_chord) const = 0;
 
-    // z of a direction with this cos(theta), in [0, 1], and zz. The known part cos(theta) goes with Sobolev 3/2
-    // only. Both functions throw std::invalid_argument for anything else.
-    double z(double cos_theta, Known known = Known::nothing) const;
-    double zz(Known known = Known::nothing) const;
+    // M(b): the mean of k(w, .) over the cap around w of height b = 1 - cos(radius). Equal heights have equal areas,
+    // and the chord at depth h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over h from 0 to b.
+    virtual double cap_mean(double height) const = 0;
+
+    // z of a direction with this cos(theta), in [0, 1] (else it throws std::invalid_argument), and zz. By default p is 1,
+    // and both are integrals of M.
+    virtual double z(double cos_theta) const;
+    virtual double zz() const;
+    virtual Known known() const { return Known::nothing; }  // p
+};
+
+// The covariance of the practice: k(r) = 8/3 - r falls straight from 8/3 to 2/3 (Sobolev 3/2, below). Its functions are
+// continuous, as radiance is between edges, with kinks.
+class Sobolev : public Covariance {
+public:
+    double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
+    double cap_mean(double height) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * height); }
+    double z(double cos_theta) const override { return sobolev_z(cos_theta); }
+    double zz() const override { return sobolev_zz; }
+};
+
+// The same with the known part p = cos(theta).
+class SobolevKnownCosine final : public Sobolev {
+public:
+    double z(double cos_theta) const override { return sobolev_cosine_z(cos_theta); }
+    double zz() const override { return sobolev_cosine_zz; }
+    Known known() const override { return Known::cosine; }
+};
+
+// Sobolev of any smoothness s in (1, 2): k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
+// Womersley, "QMC designs", Mathematics of Computation 2014).
+class GeneralSobolev final : public Covariance {
+public:
+    explicit GeneralSobolev(double smoothness);  // throws std::invalid_argument for one outside of this range
+
+    double k(double squared_chord) const override { return constant_ - portable::pow(squared_chord, exponent_); }
+    double cap_mean(double height) const override {
+        return constant_ - portable::pow(2 * height, exponent_) / (exponent_ + 1);
+    }
+    double zz() const override { return zz_; }
 
 private:
-    double cap_mean(double height) const;
-    double z_by_caps(double cos_theta) const;
-    double squared_exponential_z(double cos_theta) const;
+    double exponent_, constant_;  // s - 1 and C
+    double zz_;                   // made once
+};
 
-    CovarianceFamily family_;
-    double parameter_;
-    double exponent_, constant_;  // of sobolev: s - 1 and C
-    double kappa_;                // of squared_exponential: 1 / l^2
-    bool has_closed_form_;        // Sobolev 3/2
-    double zz_;                   // for p = 1
+// k(r) = exp(-r^2 / 2 l^2) of length-scale l >= 0.05. Its functions have all derivatives. Below 0.05, e^(-1 / l^2)
+// comes close to underflow.
+class SquaredExponential final : public Covariance {
+public:
+    explicit SquaredExponential(double length_scale);  // throws std::invalid_argument for one below 0.05
+
+    double k(double squared_chord) const override { return portable::exp(-0.5 * kappa_ * squared_chord); }
+    double cap_mean(double height) const override { return exponential_mean(kappa_ * height); }
+    double z(double cos_theta) const override { return squared_exponential_z(cos_theta, kappa_); }
+    double zz() const override { return zz_; }
+
+private:
+    double kappa_;  // 1 / l^2
+    double zz_;     // made once
 };
 }  // namespace bmc

@@ -36,9 +36,9 @@ static std::vector<Vec3> checked(std::vector<Vec3> directions, double noise) {
 
 // z_j is a function of cos(theta) of direction j, its y. Rounding can leave y slightly above 1.
 // BEGIN SOLUTION z
-std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions, Known known) {
+std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions) {
     std::vector<double> z;
-    for (const Vec3& direction : directions) z.push_back(covariance.z(std::min(direction.y, 1.0), known));
+    for (const Vec3& direction : directions) z.push_back(covariance.z(std::min(direction.y, 1.0)));
     return z;
 }
 // END SOLUTION
@@ -57,12 +57,12 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
-GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known known)
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions)
     : directions_(checked(std::move(directions), noise)),
-      z_(z_of(covariance, directions_, known)),
+      z_(z_of(covariance, directions_)),
       cholesky_(covariance_matrix(covariance, noise, directions_)),
       weights_(bayesian_weights(cholesky_, z_)),
-      variance_(posterior_variance(covariance.zz(known), z_, weights_)) {}
+      variance_(posterior_variance(covariance.zz(), z_, weights_)) {}
 
 // BEGIN SOLUTION integral
 double GaussianProcess::integral(const std::vector<double>& values) const { return sum_of_products(weights_, values); }

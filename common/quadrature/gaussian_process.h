@@ -1,7 +1,7 @@
 // A Gaussian process over the hemisphere, and the Bayesian Monte Carlo estimate of an integral (Rasmussen & Ghahramani,
 // "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
 //     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f p over H ~ sum of weights_i f(w_i),
-// where p is the known part of the integrand: 1 as in the practice, or cos(theta). The prior mean of f is zero. Q, z
+// where p is the known part of the integrand, for which the covariance has z: 1 as in the practice, or cos(theta). The prior mean of f is zero. Q, z
 // and the weights depend on the directions alone, not on f: one process serves any number of integrals and threads.
 #pragma once
 
@@ -14,10 +14,9 @@ class GaussianProcess {
 public:
     // n >= 1 unit directions in H. noise >= 0: the standard deviation of the samples' error, in units of the amplitude
     // of f (below). Its square is added to the diagonal of Q, so that two equal directions do not make Q singular.
-    // Throws std::invalid_argument for a noise below 0, no direction, one below the horizon, or a known part without a
-    // closed form, and NotPositiveDefinite if Q cannot be factored.
-    GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                    Known known = Known::nothing);
+    // Throws std::invalid_argument for a noise below 0, no direction, or one below the horizon, and NotPositiveDefinite
+    // if Q cannot be factored.
+    GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions);
 
     const std::vector<Vec3>& directions() const { return directions_; }
 
@@ -53,9 +52,8 @@ private:
     double variance_;
 };
 
-// z of each direction. Throws std::invalid_argument for a direction below the horizon.
-std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions,
-                         Known known = Known::nothing);
+// z of each direction. Throws std::invalid_argument for one below the horizon.
+std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions);
 
 // Q, n x n and symmetric.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);

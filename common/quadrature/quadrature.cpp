@@ -37,8 +37,22 @@ QuadratureRule monte_carlo_rule(DirectionSet set) {
 }
 // END SOLUTION
 
-QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions, Known known) {
-    const GaussianProcess process(covariance, noise, std::move(directions), known);
-    return {process.directions(), process.weights(), known};
+QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions) {
+    const GaussianProcess process(covariance, noise, std::move(directions));
+    return {process.directions(), process.weights(), covariance.known()};
+}
+
+std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
+    const bool practice = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
+    if (known == Known::cosine) {
+        if (practice) return std::make_shared<SobolevKnownCosine>();
+        throw std::invalid_argument("only sobolev of smoothness 1.5 has a closed form for the known part cosine");
+    }
+    if (practice) return std::make_shared<Sobolev>();
+    switch (covariance) {
+        case CovarianceFamily::sobolev: return std::make_shared<GeneralSobolev>(smoothness);
+        case CovarianceFamily::squared_exponential: return std::make_shared<SquaredExponential>(length_scale);
+    }
+    throw std::logic_error("a covariance without a class");
 }
 }  // namespace bmc

@@ -5,6 +5,8 @@
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
+#include <memory>
+
 namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
 // known part: 1, or cos(theta). Turning the directions about the up axis gives a rule that is as good.
@@ -57,8 +59,12 @@ DirectionSet place_directions(Placement placement, std::size_t n, Random& random
 QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess. Throws as it does.
-QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions,
-                             Known known = Known::nothing);
+QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions);
+
+// Add a covariance here and to the table; the compiler then names the place in make_covariance.
+enum class CovarianceFamily { sobolev, squared_exponential };
+constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
+    {"sobolev", CovarianceFamily::sobolev}, {"squared-exponential", CovarianceFamily::squared_exponential}};
 
 // Settings of a rule, except its number of directions.
 struct ModelSettings {
@@ -70,9 +76,7 @@ struct ModelSettings {
     Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 
-    // Throws std::invalid_argument as the covariance's constructor does.
-    Covariance make_covariance() const {
-        return Covariance(covariance, covariance == CovarianceFamily::sobolev ? smoothness : length_scale);
-    }
+    // Throws std::invalid_argument as the covariance's constructor does, and if the known part has no closed form.
+    std::shared_ptr<const Covariance> make_covariance() const;
 };
 }  // namespace bmc

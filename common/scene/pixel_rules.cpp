@@ -22,7 +22,8 @@ static std::size_t shared_count(const RenderSettings& settings) {
     throw std::logic_error("a method without rules");
 }
 
-PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings), covariance_(settings.make_covariance()) {
+PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings) {
+    if (settings.method != Method::mc) covariance_ = settings.make_covariance();
     if (shared_count(settings) > 0) shared_ = shared_rules();  // mc renders before that task is written
     std::vector<QuadratureRule> examined = shared_;
     if (examined.empty()) {
@@ -51,7 +52,7 @@ std::vector<QuadratureRule> PixelRules::shared_rules() const {
 QuadratureRule PixelRules::fresh_rule(Random& random) const {
     DirectionSet set = place_directions(settings_.placement, settings_.samples, random);
     if (settings_.method == Method::mc) return monte_carlo_rule(std::move(set));
-    return bayesian_rule(covariance_, settings_.noise, std::move(set.directions), settings_.known);
+    return bayesian_rule(*covariance_, settings_.noise, std::move(set.directions));
 }
 
 PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {

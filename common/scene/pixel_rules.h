@@ -64,7 +64,7 @@ private:
     std::vector<QuadratureRule> shared_rules() const;
 
     RenderSettings settings_;
-    Covariance covariance_;
+    std::shared_ptr<const Covariance> covariance_;  // none of mc
     std::vector<QuadratureRule> shared_;
     double stability_ = 0, weight_sum_ = 0;
 };

@@ -88,9 +88,6 @@ void expect_size(const std::string& in, const char* what, std::size_t came, std:
 
 double real(std::size_t n) { return static_cast<double>(n); }
 std::string text(Vec3 v) { return formatted("(%.4g, %.4g, %.4g)", v.x, v.y, v.z); }
-std::string text(const Covariance& k) {
-    return formatted(k.family() == CovarianceFamily::sobolev ? "Sobolev %g" : "squared exponential %g", k.parameter());
-}
 
 void expect_direction(const std::string& what, Vec3 came, Vec3 right,
                       const std::vector<std::pair<Vec3, const char*>>& causes = {}) {
@@ -102,8 +99,11 @@ void expect_direction(const std::string& what, Vec3 came, Vec3 right,
     wrong(what + " is " + text(came) + ", right is " + text(right) + why);
 }
 
-const Covariance covariances[] = {Covariance(), Covariance(CovarianceFamily::sobolev, 1.4),
-                                  Covariance(CovarianceFamily::squared_exponential, 0.4)};
+const Sobolev sobolev;
+const GeneralSobolev rougher(1.4);
+const SquaredExponential smooth(0.4);
+const std::pair<const char*, const Covariance*> covariances[] = {
+    {"Sobolev 1.5", &sobolev}, {"Sobolev 1.4", &rougher}, {"squared exponential 0.4", &smooth}};
 
 // The samples of the trials: few, for which 1, n and 1 / n differ; and many.
 constexpr std::size_t sizes[] = {3, 1, 41, 60};
@@ -136,14 +136,15 @@ void monte_carlo_rule_is_right() {
 // ---- inverse
 
 void covariance_matrix_is_right() {
-    for (const Covariance& k : covariances)
+    for (const auto& [name, covariance] : covariances)
         for (const std::size_t n : sizes) {
+            const Covariance& k = *covariance;
             const double noise = n == 3 ? 0.3 : 0.01;
             const double diagonal = std::max(1e-7, 1 - k.k(1e-15) / k.k(0));  // 2 - 2 w.w may be 1e-15, not 0
             Directions w = directions_of(n);
             if (n == 41) w[7] = w[0];
             const Matrix q = covariance_matrix(k, noise, w);
-            const std::string in = text(k) + formatted(", noise %g, n = %zu: ", noise, n);
+            const std::string in = formatted("%s, noise %g, n = %zu: ", name, noise, n);
             expect_size(in, "elements", q.rows() * q.columns(), n * n);
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t j = 0; j < n; ++j) {
@@ -158,7 +159,7 @@ void covariance_matrix_is_right() {
 }
 
 void equal_directions_have_equal_rows() {
-    const Matrix q = covariance_matrix(Covariance(), 0, {{0, 1, 0}, {0, 1, 0}});
+    const Matrix q = covariance_matrix(sobolev, 0, {{0, 1, 0}, {0, 1, 0}});
     if (q(0, 0) != q(0, 1) || q(1, 0) != q(1, 1))
         wrong(formatted("noise 0, (0, 1, 0) twice: Q(0, 0) is %.17g and Q(0, 1) is %.17g, and they should be equal",
                         q(0, 0), q(0, 1)));
@@ -229,23 +230,24 @@ void inverse_is_right() {
 // ---- z
 
 void z_of_is_right() {
-    for (const Covariance& k : covariances)
+    const SobolevKnownCosine known_cosine;
+    for (const auto& [name, covariance] : covariances)
         for (const std::size_t n : sizes) {
-            const Known known = &k == covariances && n == 60 ? Known::cosine : Known::nothing;
+            const Covariance& k = covariance == &sobolev && n == 60 ? known_cosine : *covariance;
             Directions w = directions_of(n);
             if (n == 41) w.insert(w.end(), {{0, 1 + 4e-16, 0}, {1, 0, 0}, {0, 1, 0}});
-            const Numbers z = z_of(k, w, known);
-            expect_size(text(k) + ": ", "z", z.size(), w.size());
+            const Numbers z = z_of(k, w);
+            expect_size(name + std::string(": "), "z", z.size(), w.size());
             for (std::size_t i = 0; i < w.size(); ++i) {
                 const double cosine = std::min(1.0, w[i].y), angle = std::acos(cosine);
-                const std::string what = text(k) + ": z of the direction " + text(w[i]) +
-                                         (known == Known::cosine ? " with the known part cosine" : "");
-                expect(what, z[i], k.z(cosine, known), real(w.size()), 1e-9,
+                const std::string what = name + (": z of the direction " + text(w[i])) +
+                                         (k.known() == Known::cosine ? " with the known part cosine" : "");
+                expect(what, z[i], k.z(cosine), real(w.size()), 1e-9,
                        {{angle <= 1 ? k.z(angle) : NAN, "that is z(angle), and z takes the cosine, y"},
                         {k.k(cosine), "that is k(y), not z(y)"}});
             }
         }
-    if (!throws<std::invalid_argument>([] { z_of(Covariance(), {{0.6, -0.8, 0}}); }))
+    if (!throws<std::invalid_argument>([] { z_of(sobolev, {{0.6, -0.8, 0}}); }))
         wrong("a direction below the horizon is accepted: Covariance::z refuses its y");
 }
 
@@ -254,10 +256,10 @@ void z_of_is_right() {
 // Calls f(in, covariance, process) for processes of several sizes.
 template <class Function>
 void for_each_process(Function f) {
-    for (const Covariance& k : covariances)
+    for (const auto& [name, k] : covariances)
         for (const std::size_t n : sizes) {
             const double noise = n == 3 ? 0.3 : 0.02;
-            f(text(k) + formatted(", noise %g, n = %zu: ", noise, n), k, GaussianProcess(k, noise, directions_of(n)));
+            f(formatted("%s, noise %g, n = %zu: ", name, noise, n), *k, GaussianProcess(*k, noise, directions_of(n)));
         }
 }
 
@@ -286,10 +288,10 @@ void posterior_variance_is_right() {
     });
     Random random(seed, 8);
     for (int i = 0; i < 2000; ++i) {  // three samples determine so smooth a function, and rounding makes some negative
-        const Covariance k(CovarianceFamily::squared_exponential, 1e6);
+        const SquaredExponential k(1e6);
         try {
             const double variance = GaussianProcess(k, 0, random_directions(3, random)).variance();
-            if (!(variance >= 0)) wrong(text(k) + formatted(", n = 3: it is %.3g by rounding, right is 0", variance));
+            if (!(variance >= 0)) wrong(formatted("squared exponential 1e+06, n = 3: it is %.3g by rounding, right is 0", variance));
         } catch (const NotPositiveDefinite&) {
         }
     }
@@ -348,8 +350,8 @@ void add_bmc_errors_is_right() {
     for_each_row([](const std::string& in, const ErrorSettings& settings, const Integrand& f, std::size_t n) {
         Statistics errors, predicted;
         for (std::size_t e = 0; predicted.count < real(settings.bmc_estimates); ++e) {
-            const GaussianProcess process(settings.make_covariance(), settings.noise,
-                                          estimate_directions(settings, n, e).directions, settings.known);
+            const GaussianProcess process(*settings.make_covariance(), settings.noise,
+                                          estimate_directions(settings, n, e).directions);
             const Numbers y = sample(f, process.directions(), settings.known);
             errors.add(std::fabs(process.integral(y) - f.truth));
             predicted.add(process.standard_error(y) * std::sqrt(2 / pi));
@@ -469,7 +471,7 @@ RenderSettings settings_of(Method method, std::size_t samples) {
 QuadratureRule fresh_right_rule(const RenderSettings& settings, Random& random) {
     const DirectionSet set = place_directions(settings.placement, settings.samples, random);
     if (settings.method == Method::mc) return monte_carlo_rule(set);
-    return bayesian_rule(settings.make_covariance(), settings.noise, set.directions);
+    return bayesian_rule(*settings.make_covariance(), settings.noise, set.directions);
 }
 
 void expect_rule(const std::string& in, const QuadratureRule& came, const Frame& its, const QuadratureRule& right,

@@ -134,6 +134,16 @@ inline Scene test_scene() {
     return {{{0.5, 0.25, -4}, 1.5, {0.75, 0.5, 0.25}}, {-1.25, -3, 3, -8, -1, {0.25, 0.5, 0.75}}};
 }
 
+// The covariance that the options of these names make.
+inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, double parameter,
+                                                       Known known = Known::nothing) {
+    ModelSettings settings;
+    settings.covariance = family;
+    settings.smoothness = settings.length_scale = parameter;
+    settings.known = known;
+    return settings.make_covariance();
+}
+
 inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12,
                                     Placement placement = Placement::uniform, Known known = Known::nothing) {
     RenderSettings settings;

@@ -11,15 +11,15 @@ TEST_CASE("the discs show light, posterior mean, deviation and error, and the es
     const std::string printed = stderr_of([&] { picture = belief.report(); }), header = "P6\n800 200\n255\n";
     Random random(1, 0);
     const Vec3 w = place_directions(Placement::fibonacci, 1, random).directions[0];
-    const double q = 8.0 / 3 + 0.25, z = Covariance().z(w.y), amplitude = 0.5 / std::sqrt(q);
-    const double error = amplitude * std::sqrt(Covariance().zz() - z * z / q);
+    const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
+    const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
     CHECK(contains(printed, formatted("workbench: estimate %.4f, standard error %.4f, truth ", 0.5 * z / q, error)));
     const double truth = std::stod(printed.substr(printed.find("truth ") + 6));
     CHECK((truth > 1.5 && truth < pi));  // the sphere hides a part of the sky, which would have pi
 
     parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
     CHECK(contains(stderr_of([&] { belief.report(); }),
-                   formatted("workbench: estimate %.4f, ", 0.5 * Covariance().z(w.y, Known::cosine) / q)));
+                   formatted("workbench: estimate %.4f, ", 0.5 * SobolevKnownCosine().z(w.y) / q)));
 
     REQUIRE(picture.size() == header.size() + 3 * 800 * 200);
     const auto byte = [&](int x, int y) {
@@ -32,7 +32,7 @@ TEST_CASE("the discs show light, posterior mean, deviation and error, and the es
     for (const auto& [x, y] : {std::pair(100, 100), {60, 90}, {150, 120}, {90, 30}, {100, 175}, {30, 140}}) {
         const double u = 2 * (x + 0.5) / 200 - 1, v = 2 * (y + 0.5) / 200 - 1, up = 1 - u * u - v * v;
         const Vec3 here{-std::sqrt(1 + up) * v, up, -std::sqrt(1 + up) * u};
-        const double k = Covariance().k(squared_distance(here, w)), mean = k * 0.5 / q, seen = byte(x, y) > 0 ? 0.5 : 0;
+        const double k = Sobolev().k(squared_distance(here, w)), mean = k * 0.5 / q, seen = byte(x, y) > 0 ? 0.5 : 0;
         CHECK((shows(x, y, seen) && shows(200 + x, y, mean)));
         CHECK(shows(400 + x, y, 2.5 * amplitude * std::sqrt(8.0 / 3 - k * k / q)));
         CHECK(shows(600 + x, y, 2.5 * std::fabs(mean - seen)));

@@ -18,9 +18,9 @@ static double distance(const Matrix& a, const Matrix& b, const Matrix& c) {
 }
 
 // Of a condition of about n, and of 1e13 if n is 65.
-static Matrix well_conditioned(std::size_t n) { return covariance_matrix(Covariance(), 1, some_directions(n)); }
+static Matrix well_conditioned(std::size_t n) { return covariance_matrix(Sobolev(), 1, some_directions(n)); }
 static Matrix nearly_singular(std::size_t n, std::uint64_t stream) {
-    return covariance_matrix(Covariance(CovarianceFamily::squared_exponential, 1), 1e-6, some_directions(n, stream));
+    return covariance_matrix(SquaredExponential(1), 1e-6, some_directions(n, stream));
 }
 
 // The limits are those of LAPACK's tests, but for the inverse: a backward stable solution leaves a fraction of a

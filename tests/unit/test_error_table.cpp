@@ -15,7 +15,7 @@ TEST_CASE("errors are those of estimates on the same directions for both methods
     Statistics mc, bmc, predicted;
     for (std::size_t e = 0; e < 3; ++e) {
         const std::vector<Vec3> directions = estimate_directions({}, 10, e).directions;
-        const GaussianProcess process(Covariance(), 0.01, directions);
+        const GaussianProcess process(Sobolev(), 0.01, directions);
         const std::vector<double> values = sample(cosine_integrand, directions);
         mc.add(std::fabs(apply(monte_carlo_rule({directions}), cosine_integrand) - pi));
         if (e == 2) break;

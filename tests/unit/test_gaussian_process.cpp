@@ -4,20 +4,22 @@
 
 TEST_CASE("Q is symmetric and full: k of the squared chord, and noise^2 on the diagonal") {
     const std::vector<Vec3> directions = some_directions(7);
-    const Matrix q = covariance_matrix(Covariance(), 0.25, directions);
+    const Matrix q = covariance_matrix(Sobolev(), 0.25, directions);
     for (std::size_t i = 0; i < 7; ++i)
         for (std::size_t j = 0; j < 7; ++j)
-            CHECK(q(i, j) == Covariance().k(squared_distance(directions[i], directions[j])) + (i == j) * 0.0625);
+            CHECK(q(i, j) == Sobolev().k(squared_distance(directions[i], directions[j])) + (i == j) * 0.0625);
 }
 
 // Q = [a b; b a], whose inverse is [a -b; -b a] / (a^2 - b^2). The tolerances are for differences of like numbers.
 TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matrix; rounding may lengthen a direction") {
     for (const Known known : {Known::nothing, Known::cosine}) {
-        const GaussianProcess process(Covariance(), 0.1, {{0, 1.0000001, 0}, {0.6, 0.8, 0}}, known);
+        const auto covariance = covariance_of(CovarianceFamily::sobolev, 1.5, known);
+        const Covariance& k = *covariance;
+        const GaussianProcess process(k, 0.1, {{0, 1.0000001, 0}, {0.6, 0.8, 0}});
         const double r = length(process.directions()[0] - Vec3{0.6, 0.8, 0}), a = 8.0 / 3 + 0.01, b = 8.0 / 3 - r;
-        const double z0 = Covariance().z(1, known), z1 = Covariance().z(0.8, known), determinant = a * a - b * b;
+        const double z0 = k.z(1), z1 = k.z(0.8), determinant = a * a - b * b;
         const double w0 = (a * z0 - b * z1) / determinant, w1 = (a * z1 - b * z0) / determinant;
-        const double v = Covariance().zz(known) - z0 * w0 - z1 * w1;
+        const double v = k.zz() - z0 * w0 - z1 * w1;
         const double amplitude = std::sqrt((a * (1 + 9) - 2 * b * 3) / determinant / 2);  // Y = (1, 3)
         CHECK(process.z() == std::vector<double>{z0, z1});
         CHECK((relative(process.weights()[0], w0) < 2e-14 && relative(process.weights()[1], w1) < 2e-14));
@@ -30,7 +32,7 @@ TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matri
 }
 
 TEST_CASE("a variance that rounding makes negative is 0") {
-    const Covariance nearly_constant(CovarianceFamily::squared_exponential, 1e4);
+    const SquaredExponential nearly_constant(1e4);
     int negative = 0;
     for (std::uint64_t stream = 0; stream < 100; ++stream) {
         const GaussianProcess process(nearly_constant, 0, some_directions(4, stream));
@@ -42,14 +44,14 @@ TEST_CASE("a variance that rounding makes negative is 0") {
 
 TEST_CASE("a process refuses what is no sample set, and values that do not belong to it") {
     const auto refusal = [](double noise, const std::vector<Vec3>& directions) {
-        return message_of([&] { GaussianProcess(Covariance(), noise, directions); });
+        return message_of([&] { GaussianProcess(Sobolev(), noise, directions); });
     };
     CHECK(refusal(0.01, {}) == "a Gaussian process needs at least one direction");
     CHECK(contains(refusal(0.01, {{1, -1e-12, 0}}), "cos(theta) must lie between 0 and 1; it is -9.99"));
     CHECK(refusal(-1e-12, {{0, 1, 0}}) == "the noise must be at least 0; it is -1e-12");
     CHECK(refusal(infinity, {{0, 1, 0}}) == "the noise must be at least 0; it is inf");
     CHECK(contains(refusal(0, {{0, 1, 0}, {0, 1, 0}}), "is not positive definite"));
-    const GaussianProcess process(Covariance(), 0.01, some_directions(3));
+    const GaussianProcess process(Sobolev(), 0.01, some_directions(3));
     CHECK_THROWS_WITH(process.integral({1, 2}), "a process of 3 directions was given 2 values");
     CHECK_THROWS_AS(process.amplitude({1, 2, 3, 4}), std::invalid_argument);
 }

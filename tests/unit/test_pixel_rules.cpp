@@ -9,7 +9,7 @@ static bool same_rule(const QuadratureRule& a, const QuadratureRule& b) {
 static QuadratureRule rule_from(const RenderSettings& s, Random& random) {
     const DirectionSet set = place_directions(s.placement, s.samples, random);
     return s.method == Method::mc ? monte_carlo_rule(set)
-                                  : bayesian_rule(s.make_covariance(), s.noise, set.directions, s.known);
+                                  : bayesian_rule(*s.make_covariance(), s.noise, set.directions);
 }
 
 TEST_CASE("methods have names; a pixel's random stream has the number of the pixel, row after row") {

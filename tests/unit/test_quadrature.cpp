@@ -34,12 +34,13 @@ TEST_CASE("placements have names; each is its directions: random ones, or the la
 TEST_CASE("Monte Carlo has equal weights that sum to the integral of p, a Bayesian rule has those of its process") {
     for (const Known known : {Known::nothing, Known::cosine})
         for (const std::size_t n : {1u, 3u, 40u}) {
+            const auto k = covariance_of(CovarianceFamily::sobolev, 1.5, known);
             const QuadratureRule mc = monte_carlo_rule({some_directions(n), known}),
-                                 bayes = bayesian_rule(Covariance(), 0.1, some_directions(n), known);
+                                 bayes = bayesian_rule(*k, 0.1, some_directions(n));
             CHECK((mc.known == known && bayes.known == known));
             CHECK((same(mc.directions, some_directions(n)) && same(bayes.directions, some_directions(n))));
             CHECK(mc.weights == std::vector<double>(n, known_integral(known) / static_cast<double>(n)));
-            CHECK(bayes.weights == GaussianProcess(Covariance(), 0.1, some_directions(n), known).weights());
+            CHECK(bayes.weights == GaussianProcess(*k, 0.1, some_directions(n)).weights());
         }
 }
 
@@ -47,9 +48,7 @@ TEST_CASE("settings make the covariance of their family, with its own parameter"
     ModelSettings settings;
     settings.smoothness = 1.25;
     settings.length_scale = 0.5;
-    for (const auto& row : covariance_names) {
-        settings.covariance = row.second;
-        CHECK(settings.make_covariance().family() == row.second);
-        CHECK(settings.make_covariance().parameter() == (row.second == CovarianceFamily::sobolev ? 1.25 : 0.5));
-    }
+    CHECK(settings.make_covariance()->k(2) == GeneralSobolev(1.25).k(2));
+    settings.covariance = CovarianceFamily::squared_exponential;
+    CHECK(settings.make_covariance()->k(2) == SquaredExponential(0.5).k(2));
 }

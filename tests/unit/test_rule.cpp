@@ -44,14 +44,14 @@ TEST_CASE("a line that is no direction is named, with what a line should be; so 
 
 // Of one direction w = z / (k(0) + noise^2), V = zz - z w.
 TEST_CASE("the report has directions, z and weights, what the weights sum to, and the estimate of given values") {
-    const double z = Covariance().z(0.8), q = 8.0 / 3 + 0.25, w = z / q, amplitude = 3 / std::sqrt(q);
+    const double z = Sobolev().z(0.8), q = 8.0 / 3 + 0.25, w = z / q, amplitude = 3 / std::sqrt(q);
     const std::string text = rule_report("0.6 0.8 0 -3\n", {"--noise=0.5", "--matrices"});
     for (const std::string& part :
          {formatted("\n 0.600000  0.800000  0.000000 %12.9g %12.6g\n", z, w),
           formatted("weights sum to %.6g; the integral of 1 is 6.28319. The ratio is %.4g:", w, w / 2 / pi),
           formatted("S = %.4g times", w / 2 / pi), std::string(" 0 weights are negative"),
           formatted("# The integral of the values: estimate %.9g, amplitude %.6g, standard error %.6g\n", -3 * w,
-                    amplitude, amplitude * std::sqrt(Covariance().zz() - z * w)),
+                    amplitude, amplitude * std::sqrt(Sobolev().zz() - z * w)),
           formatted("# Q, 1 x 1\n%16.9g\n", q), formatted("# Q^-1, 1 x 1\n%16.9g\n", 1 / q)})
         CHECK_MESSAGE(contains(text, part), part);
     CHECK(!contains(rule_report("0 1 0\n"), "# Q"));
@@ -59,7 +59,7 @@ TEST_CASE("the report has directions, z and weights, what the weights sum to, an
     const std::string cosine = rule_report("0 1 0 2\n", {"--known=cosine"});
     CHECK(contains(cosine, "the integral of cos(theta) is 3.14159"));
     CHECK(contains(cosine, "# The integral of the values times cos(theta): estimate"));
-    CHECK(contains(cosine, formatted("%.9g", Covariance().z(1, Known::cosine))));
+    CHECK(contains(cosine, formatted("%.9g", SobolevKnownCosine().z(1))));
 }
 
 TEST_CASE("directions are drawn from stream 0 if no file is given, and a file that is not there is named") {

@@ -7,20 +7,19 @@ namespace {
 
 constexpr std::size_t points = 100, sets = 20;
 
-struct Model {
-    Covariance covariance;
-    double noise;
-};
-
 // The default first.
-std::vector<Model> all_models() {
-    std::vector<Model> models{{Covariance(), 0.01}};
-    for (const double s : {1.1, 1.25, 1.4, 1.8}) models.push_back({Covariance(CovarianceFamily::sobolev, s), 0.01});
-    for (const double noise : {0.001, 0.1}) models.push_back({Covariance(), noise});
+std::vector<ModelSettings> all_models() {
+    constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
+    std::vector<ModelSettings> models{{}};
+    for (const double s : {1.1, 1.25, 1.4, 1.8}) models.push_back({sobolev, s, 1, 0.01});
+    for (const double noise : {0.001, 0.1}) models.push_back({sobolev, 1.5, 1, noise});
     for (const double noise : {0.01, 0.1})
-        for (const double l : {0.25, 0.5, 1.0, 2.0})
-            models.push_back({Covariance(CovarianceFamily::squared_exponential, l), noise});
+        for (const double l : {0.25, 0.5, 1.0, 2.0}) models.push_back({squared_exponential, 1.5, l, noise});
     return models;
+}
+
+double parameter_of(const ModelSettings& model) {
+    return model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
 }
 
 // The results of a model on the integrands, over the sets of directions. Points of one set do not err independently, so
@@ -30,10 +29,11 @@ struct ModelResults {
     Statistics evidence;  // per point
 };
 
-ModelResults results_of(const Model& model, const std::vector<Integrand>& integrands, std::size_t samples) {
+ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>& integrands, std::size_t samples) {
+    const auto covariance = model.make_covariance();
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
-        const GaussianProcess process(model.covariance, model.noise, estimate_directions({}, samples, set).directions);
+        const GaussianProcess process(*covariance, model.noise, estimate_directions({}, samples, set).directions);
         RootMeanSquare error, predicted;
         Statistics evidence;
         for (const Integrand& integrand : integrands) {
@@ -107,12 +107,12 @@ std::string ModelsReport::report() const {
         "# rmse, 1 is honest; evidence: log evidence per point less that of the first row, larger is better.\n"
         "# covariance          parameter  noise       rmse         +-  ratio  evidence\n";
     double evidence_of_default = 0;
-    for (const Model& model : all_models()) {
+    for (const ModelSettings& model : all_models()) {
         const ModelResults v = results_of(model, integrands, samples);
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
         text += formatted(
-            "%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance.family(), covariance_names),
-            model.covariance.parameter(), model.noise, v.error.value(), v.error.standard_error(),
+            "%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance, covariance_names),
+            parameter_of(model), model.noise, v.error.value(), v.error.standard_error(),
             v.error.value() > 0 ? v.predicted.value() / v.error.value() : 0, v.evidence.mean - evidence_of_default);
     }
     const RootMeanSquare mc = monte_carlo_error(integrands, samples);

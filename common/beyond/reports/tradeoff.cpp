@@ -20,7 +20,7 @@ static std::vector<double> z_by_sum(const Covariance& covariance, const std::vec
 }
 
 static std::vector<double> stage_seconds(const Integrand& integrand, std::size_t n) {
-    const Covariance covariance;
+    const Sobolev covariance;
     const double noise = ModelSettings().noise;
     Random random(1, n);
     const std::vector<Vec3> directions = random_directions(n, random);
@@ -97,7 +97,7 @@ double IntegralCost::integrals_to_pay_off() const {
 }
 
 std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed) {
-    const Covariance covariance;
+    const Sobolev covariance;
     ModelSettings settings;
     settings.seed = seed;
     const double deviation = standard_deviation(integrand);
