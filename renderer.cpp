@@ -1,7 +1,7 @@
 // Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo and writes the picture to standard output.
 #include "numerics/portable_math.h"
 
-#include "command_line/options.h"
+#include "scene/picture_request.h"
 
 // The folder common/beyond brings options and pictures that go beyond the practice.
 #if __has_include("beyond/picture_request.h")

@@ -5,6 +5,7 @@
 #include "experiments/belief.h"
 #include "experiments/error_table.h"
 #include "experiments/rule.h"
+#include "scene/image.h"
 
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/commands.h")

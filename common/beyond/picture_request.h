@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beyond/prediction/prediction.h"
-#include "command_line/options.h"
+#include "scene/picture_request.h"
 
 namespace bmc::beyond {
 // What a file shows of each point: the light that it reflects, or the standard error predicted for that light.

@@ -2,6 +2,8 @@
 
 #include "experiments/integrands.h"
 #include "numerics/parallel.h"
+#include "scene/image.h"
+#include "scene/scene.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,8 @@
 // What a Gaussian process believes of the light that arrives at a point of the rectangle, as a picture.
 #pragma once
 
-#include "command_line/options.h"
+#include "command_line/model_options.h"
+#include "light/load_environment.h"
 
 namespace bmc {
 // What `workbench belief` prints: four discs side by side, as PPM. They show the light and the samples, the posterior

@@ -2,7 +2,7 @@
 // samples.
 #pragma once
 
-#include "command_line/options.h"
+#include "command_line/model_options.h"
 #include "experiments/integrands.h"
 #include "experiments/statistics.h"
 

@@ -1,6 +1,6 @@
 #include "experiments/integrands.h"
 
-#include "light/desert.h"
+#include "light/load_environment.h"
 
 #include <numeric>
 

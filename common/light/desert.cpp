@@ -1,10 +1,6 @@
 #include "light/desert.h"
 
-#include "light/radiance_hdr.h"
 #include "numerics/parallel.h"
-
-#include <fstream>
-#include <stdexcept>
 
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
@@ -93,7 +89,7 @@ static inline Color mountains(Color behind, Vec3 d, double scale, double height,
 }
 
 // What stands before ground and sky, the far things first, except what cannot be seen at this height.
-static inline Color desert(Color color, Vec3 d) {
+static inline Color desert_color(Color color, Vec3 d) {
     if (d.y > 0.5 || d.y < -0.1) return color;
     if (d.y < 0.14) color = mountains(color, d, 3, 0.13, 0, 3, 0.62);
     if (d.y < 0.09) color = mountains(color, d, 5, 0.08, 0.01, 2, 0.35);
@@ -101,9 +97,11 @@ static inline Color desert(Color color, Vec3 d) {
     return {clamp01(color.x), clamp01(color.y), clamp01(color.z)};
 }
 
-static Color bright_desert(Color c, Vec3 d) { return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert(c, d); }
+static Color bright_desert_color(Color color, Vec3 d) {
+    return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert_color(color, d);
+}
 
-static Color black_and_white(Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
+static Color black_and_white_color(Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
 
 // The map of a light at the centres of texels: ground and sky, and what stands before them or in their place.
 template <Color light(Color, Vec3)>
@@ -125,18 +123,7 @@ static EnvironmentMap painted(unsigned threads) {
     return map;
 }
 
-EnvironmentMap load_environment(const std::string& name, unsigned threads) {
-    if (name == built_in_lights[0]) return painted<desert>(threads);
-    if (name == built_in_lights[1]) return painted<bright_desert>(threads);
-    if (name == built_in_lights[2]) return painted<black_and_white>(threads);
-    std::ifstream file(name, std::ios::binary);
-    if (!file)
-        throw std::runtime_error(name + ": no file that can be read has this name, and no built-in light: they are " +
-                                 "desert, bright-desert and black-and-white");
-    try {
-        return read_radiance_hdr(file);
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(name + ": " + error.what());
-    }
-}
+EnvironmentMap desert(unsigned threads) { return painted<desert_color>(threads); }
+EnvironmentMap bright_desert(unsigned threads) { return painted<bright_desert_color>(threads); }
+EnvironmentMap black_and_white(unsigned threads) { return painted<black_and_white_color>(threads); }
 }  // namespace bmc

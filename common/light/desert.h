@@ -1,20 +1,18 @@
-// The built-in lights, and the choice between them and a light from a file.
+// The built-in lights.
 #pragma once
 
 #include "light/environment.h"
 
-#include <string>
-
 namespace bmc {
-// Maps of 1024 x 512 texels of linear RGB radiance.
-//   desert           an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the
-//                    arch; radiance in [0, 1]
-//   bright-desert    the same with a sun a thousand times as bright, as real suns are: it sends four fifths of the
-//                    light
-//   black-and-white  the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere
-constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
+// Maps of 1024 x 512 texels of linear RGB radiance. threads: how many to use.
 
-// The built-in light of this name, or else the one in the .hdr file. threads: how many to use. Throws
-// std::runtime_error, one line that names the file.
-EnvironmentMap load_environment(const std::string& name = "desert", unsigned threads = 1);
+// An arch of sandstone around -z and the sun high on the right, behind a camera that looks at the arch; radiance in
+// [0, 1].
+EnvironmentMap desert(unsigned threads);
+
+// The same with a sun a thousand times as bright, as real suns are: it sends four fifths of the light.
+EnvironmentMap bright_desert(unsigned threads);
+
+// The hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
+EnvironmentMap black_and_white(unsigned threads);
 }  // namespace bmc

@@ -1,7 +1,7 @@
 // What several tests use. A test makes the scene and the light that it needs, unless it is about the built-in ones.
 #pragma once
 
-#include "command_line/options.h"
+#include "scene/picture_request.h"
 
 #include <doctest/doctest.h>
 #include <getopt.h>

@@ -1,4 +1,4 @@
-#include "light/desert.h"
+#include "light/load_environment.h"
 #include "test.h"
 
 TEST_CASE("the desert's radiances lie in [0, 1], and the bright desert has but a sun a thousand times as bright") {

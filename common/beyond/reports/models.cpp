@@ -1,6 +1,7 @@
 #include "beyond/reports/models.h"
 
 #include "beyond/reports/root_mean_square.h"
+#include "scene/scene.h"
 
 namespace bmc {
 namespace {

@@ -2,8 +2,9 @@
 // not, and by the error that a process predicts.
 #pragma once
 
-#include "command_line/options.h"
+#include "command_line/command_line.h"
 #include "experiments/integrands.h"
+#include "light/load_environment.h"
 
 namespace bmc {
 // Incident luminance times cos(theta), shadows included, at random points that pixels of the sphere scene show. The

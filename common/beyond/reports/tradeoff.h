@@ -3,8 +3,9 @@
 #pragma once
 
 #include "beyond/reports/picture_cost.h"
-#include "command_line/options.h"
+#include "command_line/command_line.h"
 #include "experiments/integrands.h"
+#include "light/load_environment.h"
 
 namespace bmc {
 struct IntegralCost {

@@ -1,21 +1,11 @@
-// What the programs are asked for: the options of a Gaussian process and of its samples, which both programs take, and
-// a picture of the sphere scene. Options set the members of a struct, which must outlive them and not move.
+// What the renderer is asked for: a picture of the sphere scene.
 #pragma once
 
-#include "command_line/command_line.h"
-#include "light/desert.h"
+#include "command_line/model_options.h"
+#include "light/load_environment.h"
 #include "scene/render.h"
 
 namespace bmc {
-// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
-constexpr std::uint64_t max_process_samples = 4096;
-
-// The help text of an option that takes the name of a light.
-constexpr const char* environment_help = "a Radiance .hdr file, bright-desert, black-and-white (default desert)";
-
-// The options of a process (covariance, smoothness, length-scale, noise, known) and of its samples (placement, seed).
-Options model_options(ModelSettings& settings);
-
 struct PictureRequest {
     RenderSettings settings;
     std::string environment = built_in_lights[0];
@@ -24,7 +14,7 @@ struct PictureRequest {
 
     PictureRequest();  // on all processors
 
-    Options options();
+    Options options();  // they set the members of this object, which must outlive them and not move
 
     // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
     void require_possible() const;

@@ -1,4 +1,4 @@
-#include "command_line/options.h"
+#include "scene/picture_request.h"
 #include "test.h"
 
 static void check_ranges(const Options& options, const std::vector<std::string>& within,

@@ -1,0 +1,14 @@
+// The options that both programs take: those of a Gaussian process and of its samples.
+#pragma once
+
+#include "command_line/command_line.h"
+#include "quadrature/quadrature.h"
+
+namespace bmc {
+// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
+constexpr std::uint64_t max_process_samples = 4096;
+
+// covariance, smoothness, length-scale, noise, known, placement, seed. They set the members of a struct, which must
+// outlive them and not move.
+Options model_options(ModelSettings& settings);
+}  // namespace bmc
