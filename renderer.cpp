@@ -4,9 +4,9 @@
 #include "scene/picture_request.h"
 
 // The folder common/beyond brings options and pictures that go beyond the practice.
-#if __has_include("beyond/picture_request.h")
-#include "beyond/picture_request.h"
-using Request = bmc::beyond::PictureRequest;
+#if __has_include("beyond/request.h")
+#include "beyond/request.h"
+using Request = bmc::beyond::Request;
 #else
 using Request = bmc::PictureRequest;
 #endif

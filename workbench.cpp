@@ -4,8 +4,11 @@
 
 #include "experiments/belief.h"
 #include "experiments/error_table.h"
+#include "experiments/models.h"
 #include "experiments/rule.h"
-#include "scene/image.h"
+#include "experiments/stability.h"
+#include "experiments/tradeoff.h"
+#include "light/load_environment.h"
 
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/commands.h")
@@ -33,7 +36,10 @@ static std::string run(int argc, char** argv) {
         std::vector<Command>{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
                              command<RuleReport>("rule", "directions and weights of a rule"),
                              command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
-                             {"light", "the built-in light for others, > desert.pfm", {}, light_file}} +
+                             {"light", "the built-in light for others, > desert.pfm", {}, light_file},
+                             command<TradeoffReport>("tradeoff", "what accuracy costs"),
+                             command<ModelsReport>("models", "covariances and noise compared"),
+                             {"stability", "where the arithmetic breaks", {}, stability_report}} +
         beyond::commands();
     const bool named = argc > 1 && *argv[1] && *argv[1] != '-';
     const std::string name = named ? argv[1] : "";

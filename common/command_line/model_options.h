@@ -11,4 +11,9 @@ constexpr std::uint64_t max_process_samples = 4096;
 // covariance, smoothness, length-scale, noise, known, placement, seed. They set the members of a struct, which must
 // outlive them and not move.
 Options model_options(ModelSettings& settings);
+
+// The same with another option --known, for a program that knows more.
+Options model_options(ModelSettings& settings, const Option& known);
+
+constexpr const char* known_remark = ": known part; sobolev 1.5 only";
 }  // namespace bmc

@@ -7,7 +7,8 @@
 #include <algorithm>
 
 namespace bmc {
-// sin(theta)^2. Throws std::invalid_argument for a cosine outside of [0, 1], also for nan, for which no series would end.
+// sin(theta)^2. Throws std::invalid_argument for a cosine outside of [0, 1], also for nan, for which no series would
+// end.
 double squared_sine(double cos_theta);
 
 // The angle theta to the up axis, by its sine sigma and by q = c / (1 + sigma) in (0, 1], c its cosine. Near the

@@ -26,8 +26,8 @@ public:
     // and the chord at depth h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over h from 0 to b.
     virtual double cap_mean(double height) const = 0;
 
-    // z of a direction with this cos(theta), in [0, 1] (else it throws std::invalid_argument), and zz. By default p is 1,
-    // and both are integrals of M.
+    // z of a direction with this cos(theta), in [0, 1] (else it throws std::invalid_argument), and zz. By default p is
+    // 1, and both are integrals of M.
     virtual double z(double cos_theta) const;
     virtual double zz() const;
     virtual Known known() const { return Known::nothing; }  // p

@@ -1,8 +1,9 @@
 // A Gaussian process over the hemisphere, and the Bayesian Monte Carlo estimate of an integral (Rasmussen & Ghahramani,
 // "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
 //     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f p over H ~ sum of weights_i f(w_i),
-// where p is the known part of the integrand, for which the covariance has z: 1 as in the practice, or cos(theta). The prior mean of f is zero. Q, z
-// and the weights depend on the directions alone, not on f: one process serves any number of integrals and threads.
+// where p is the known part of the integrand, for which the covariance has z: 1 as in the practice, or cos(theta). The
+// prior mean of f is zero. Q, z and the weights depend on the directions alone, not on f: one process serves any number
+// of integrals and threads.
 #pragma once
 
 #include "linear_algebra/cholesky.h"

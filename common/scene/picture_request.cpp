@@ -31,10 +31,14 @@ static void warn_of_exposure(const Image& image, double exposure) {
 PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
 
 Options PictureRequest::options() {
+    return options_with(choice_option("known", known_names, settings.known, known_remark));
+}
+
+Options PictureRequest::options_with(const Option& known) {
     return Options{choice_option("method", method_names, settings.method),
                    whole_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
                    whole_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)} +
-           model_options(settings) +
+           model_options(settings, known) +
            Options{
                {"size", "WxH", "in pixels, or W for a square (default 500x500)",
                 [this](const std::string& text) { set_size(settings, text); }},

@@ -13,17 +13,22 @@ struct PictureRequest {
     double exposure = 0;  // in stops
 
     PictureRequest();  // on all processors
+    virtual ~PictureRequest() = default;
 
-    Options options();  // they set the members of this object, which must outlive them and not move
+    virtual Options options();  // they set the members of this object, which must outlive them and not move
 
     // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
     void require_possible() const;
 
     // The image of linear radiance. Throws what the Gaussian processes throw.
-    Image image(const EnvironmentMap& light) const;
+    virtual Image image(const EnvironmentMap& light) const;
 
     // The image as a file; a PPM has 2^exposure times the radiance.
     std::string file(Image image) const;
+
+protected:
+    // options() with another option --known.
+    Options options_with(const Option& known);
 };
 
 // Prints a warning on stderr if the weights of these rules cannot make a good picture: S > 2 (stability_constant), or a

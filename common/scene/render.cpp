@@ -22,4 +22,9 @@ Image render(const Scene& scene, const EnvironmentMap& background, const RenderS
     });
     return image;
 }
+
+Image picture(const EnvironmentMap& light, const RenderSettings& settings) {
+    const Scene scene = sphere_scene();
+    return render(scene, light, settings, reflected_environment(scene, light, PixelRules(settings)));
+}
 }  // namespace bmc

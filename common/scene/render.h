@@ -16,4 +16,7 @@ Shade reflected_environment(const Scene& scene, const EnvironmentMap& environmen
 // The image of these colours, with the size and the threads of the settings. A pixel that shows no object shows the
 // background.
 Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade);
+
+// The sphere scene in this light. Throws what the Gaussian processes throw.
+Image picture(const EnvironmentMap& light, const RenderSettings& settings);
 }  // namespace bmc

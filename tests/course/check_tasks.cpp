@@ -291,7 +291,8 @@ void posterior_variance_is_right() {
         const SquaredExponential k(1e6);
         try {
             const double variance = GaussianProcess(k, 0, random_directions(3, random)).variance();
-            if (!(variance >= 0)) wrong(formatted("squared exponential 1e+06, n = 3: it is %.3g by rounding, right is 0", variance));
+            if (!(variance >= 0))
+                wrong(formatted("squared exponential 1e+06, n = 3: it is %.3g by rounding, right is 0", variance));
         } catch (const NotPositiveDefinite&) {
         }
     }

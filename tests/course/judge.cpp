@@ -6,8 +6,8 @@
 #include "numerics/portable_math.h"
 
 #include "../output/picture.h"
-#include "scene/picture_request.h"
 #include "experiments/statistics.h"
+#include "scene/picture_request.h"
 
 #include <algorithm>
 #include <fstream>

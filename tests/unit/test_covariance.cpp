@@ -9,7 +9,8 @@ static double z_by_definition(const Covariance& covariance, double cosine) {
     constexpr std::size_t n = 40000;
     const Vec3 here{std::sqrt(1 - cosine * cosine), cosine, 0};
     double sum = 0;
-    for (const Vec3& w : fibonacci_directions(n)) sum += known_part(covariance.known(), w) * covariance.k(squared_distance(here, w));
+    for (const Vec3& w : fibonacci_directions(n))
+        sum += known_part(covariance.known(), w) * covariance.k(squared_distance(here, w));
     return 2 * pi / n * sum;
 }
 

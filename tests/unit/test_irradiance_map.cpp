@@ -1,6 +1,8 @@
 #include "beyond/known_light/irradiance_map.h"
 #include "test.h"
 
+using namespace bmc::beyond;
+
 // The integral of (1 + w.d) cos(theta) is pi + (2 pi / 3) n.d.
 TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3 of the largest, whatever the size of the map") {
     const Vec3 d{0.48, -0.64, 0.6};

@@ -1,6 +1,8 @@
 #include "beyond/known_light/known_light.h"
 #include "test.h"
 
+using namespace bmc::beyond;
+
 TEST_CASE("the sun has half of its share of the samples, at least one, and the sky has the others, at least one") {
     const EnvironmentMap map = sunny_map(), even = even_map(2, 2, 1);
     const PrefilteredEnvironment sunny(map), dim(even);

@@ -1,4 +1,4 @@
-#include "beyond/reports/models.h"
+#include "experiments/models.h"
 #include "test.h"
 
 TEST_CASE("the scene's integrands are luminance times visibility times cos(theta), with a truth by dense quadrature") {

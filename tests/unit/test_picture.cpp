@@ -1,16 +1,7 @@
-#include "beyond/prediction/picture.h"
+#include "beyond/known_light/picture.h"
 #include "test.h"
 
-TEST_CASE("what is known is nothing, the cosine, or the light, with which the cosine is known, too") {
-    PictureSettings settings;
-    for (const std::string name : {"light", "cosine", "nothing"}) {
-        set_known(settings, name);
-        CHECK(settings.known == (name == "nothing" ? Known::nothing : Known::cosine));
-        CHECK(settings.light_known == (name == "light"));
-        CHECK(known_name(settings) == name);
-    }
-    CHECK_THROWS_AS(set_known(settings, "all"), std::invalid_argument);
-}
+using namespace bmc::beyond;
 
 TEST_CASE("a picture is rendered by the environment's light or, where that is known, by its averages and its sun") {
     const Scene scene = sphere_scene();

@@ -1,6 +1,8 @@
 #include "beyond/prediction/prediction.h"
 #include "test.h"
 
+using namespace bmc::beyond;
+
 // By the definition: half the mean square of the difference of a pair, over the pixels that show an object.
 static double rmse_of_pair(const EnvironmentLight& light, const PictureSettings& settings) {
     const Image a = picture(light, settings), b = picture(light, second(settings));

@@ -1,6 +1,8 @@
 #include "beyond/known_light/prefiltered_environment.h"
 #include "test.h"
 
+using namespace bmc::beyond;
+
 // Of the light 1 + w.d a cap of height b around n has the mean 1 + (1 - b / 2) n.d.
 TEST_CASE(
     "the tables hold means over caps, within 2 % of the largest light, under one that is linear in the direction") {

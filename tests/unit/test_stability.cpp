@@ -1,4 +1,4 @@
-#include "beyond/reports/stability.h"
+#include "experiments/stability.h"
 #include "test.h"
 
 TEST_CASE("sample sets have names: random, doubled, on the rim, at the pole, or within 1e-8 of one direction") {

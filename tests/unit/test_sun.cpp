@@ -2,6 +2,8 @@
 #include "beyond/known_light/texels_on_sphere.h"
 #include "test.h"
 
+using namespace bmc::beyond;
+
 TEST_CASE("the sun is the texels of more than a hundred times the mean radiance, and the sky is the map without them") {
     EnvironmentMap map = even_map(64, 32, 1);
     const int place = map.texel_at(50, 10);

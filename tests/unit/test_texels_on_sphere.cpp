@@ -1,6 +1,8 @@
 #include "beyond/known_light/texels_on_sphere.h"
 #include "test.h"
 
+using namespace bmc::beyond;
+
 TEST_CASE("the pieces of a map cover the sphere once, each within the texel whose colour it has") {
     for (const auto& [width, height] : {std::pair(1, 1), {9, 5}, {40, 1}}) {
         const EnvironmentMap map = coloured_map(width, height);

@@ -1,4 +1,4 @@
-#include "beyond/reports/tradeoff.h"
+#include "experiments/tradeoff.h"
 #include "test.h"
 
 // Monte Carlo: 1600 samples of (1 + 1) us / 100 = 32 us an integral; the rule: 15 us once and 1 us an integral. The

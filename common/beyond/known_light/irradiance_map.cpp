@@ -3,7 +3,7 @@
 #include "beyond/known_light/texels_on_sphere.h"
 #include "numerics/parallel.h"
 
-namespace bmc {
+namespace bmc::beyond {
 // The cells that light is gathered in, and the cells of the table, which holds E at their corners.
 constexpr int light_columns = 96, light_rows = 48, columns = 128, rows = 64;
 
@@ -62,4 +62,4 @@ Color IrradianceMap::operator()(Vec3 normal) const {
     return (1 - down) * ((1 - right) * corner(0, 0) + right * corner(0, 1)) +
            down * ((1 - right) * corner(1, 0) + right * corner(1, 1));
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -6,7 +6,7 @@
 
 #include "light/environment.h"
 
-namespace bmc {
+namespace bmc::beyond {
 class IrradianceMap {
 public:
     // threads: how many to use.
@@ -18,4 +18,4 @@ public:
 private:
     EnvironmentMap table_;
 };
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bmc {
+namespace bmc::beyond {
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
     if (light.sun().empty()) return 0;
     const double rays = 0.5 * light.sun().share() * static_cast<double>(samples);
@@ -44,4 +44,4 @@ Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& li
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
     };
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -13,7 +13,7 @@
 #include "beyond/known_light/prefiltered_environment.h"
 #include "scene/render.h"
 
-namespace bmc {
+namespace bmc::beyond {
 // The number of a pixel's samples that go to the sun: at least one, or none where there is no sun.
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
 
@@ -27,4 +27,4 @@ Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hi
 // L_o, linear RGB, by these rules for the sky and by `sun_rays` rays to the sun. Scene and light must outlive it.
 Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
                             std::size_t sun_rays);
-}  // namespace bmc
+}  // namespace bmc::beyond

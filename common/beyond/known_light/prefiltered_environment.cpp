@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace bmc {
+namespace bmc::beyond {
 namespace {
 
 using portable::pi;
@@ -83,4 +83,4 @@ const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
     }
     return *nearest;
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

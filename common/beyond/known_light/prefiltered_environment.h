@@ -6,7 +6,7 @@
 #include "beyond/known_light/irradiance_map.h"
 #include "beyond/known_light/sun.h"
 
-namespace bmc {
+namespace bmc::beyond {
 class PrefilteredEnvironment {
 public:
     // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
@@ -41,4 +41,4 @@ private:
     std::vector<Table> tables_;  // the smallest caps first
     double texel_;               // the solid angle of a texel of the sky
 };
-}  // namespace bmc
+}  // namespace bmc::beyond

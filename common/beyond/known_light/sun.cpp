@@ -2,7 +2,7 @@
 
 #include "beyond/known_light/texels_on_sphere.h"
 
-namespace bmc {
+namespace bmc::beyond {
 static double brightness(Color c) { return c.x + c.y + c.z; }
 
 static double all_light(const TexelsOnSphere& texels) {
@@ -84,4 +84,4 @@ Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::s
     }
     return light;
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -7,7 +7,7 @@
 #include "numerics/random.h"
 #include "scene/scene.h"
 
-namespace bmc {
+namespace bmc::beyond {
 // Sums over rays: of all light, and of what arrives.
 struct Quotient {
     Color all, visible;
@@ -65,4 +65,4 @@ private:
 // The sums over m rays to the sun, none if it is empty. Ray j goes to the place after the fraction (j + u_j) / m of its
 // light, v_j down in a texel, by random numbers u_j and then v_j; its weight is cos(theta_j), 0 below the horizon.
 Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random);
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace bmc {
+namespace bmc::beyond {
 // The texels that have a solid angle. Only u = 1 or v = 1 meets the last column or row (environment.h), so these have
 // no area and are left out; a map of one row or column keeps it. If there are too few texels, each is cut into equal
 // pieces.
@@ -43,4 +43,4 @@ private:
 inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
     return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace bmc {
+namespace bmc::beyond {
 PictureSettings second(PictureSettings settings) {
     ++settings.seed;
     return settings;
@@ -88,4 +88,4 @@ ChosenSamples samples_for(double target, std::size_t most, const EnvironmentLigh
     const std::size_t chosen = std::clamp(static_cast<std::size_t>(std::ceil(wanted)), last.samples + 1, next.samples);
     return {chosen, last.rmse * portable::pow(static_cast<double>(chosen) / first, slope)};
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -6,9 +6,9 @@
 // have does not show.
 #pragma once
 
-#include "beyond/prediction/picture.h"
+#include "beyond/known_light/picture.h"
 
-namespace bmc {
+namespace bmc::beyond {
 // The settings of the second picture of a pair: they have the next seed.
 PictureSettings second(PictureSettings settings);
 
@@ -35,4 +35,4 @@ struct ChosenSamples {
 // for each pixel: that does not change the expected error. Throws std::runtime_error if `most` samples, at least 4, do
 // not suffice; it names their RMSE, and how many samples the power points to. Throws what the Gaussian processes throw.
 ChosenSamples samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings);
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -1,4 +1,4 @@
-#include "beyond/picture_request.h"
+#include "beyond/request.h"
 
 namespace bmc::beyond {
 // sun: the fraction of the light that both pictures may miss.
@@ -21,25 +21,17 @@ static Image grey_scale(Image errors, double white) {
     return errors;
 }
 
-Options PictureRequest::options() {
-    Options all = bmc::PictureRequest::options();
-    for (Option& option : all)
-        if (option.name == "known") {
-            option.description = "nothing, cosine or light (default nothing): known part; sobolev 1.5 only";
-            option.set = [this](const std::string& name) {
-                PictureSettings chosen{settings, false};
-                set_known(chosen, name);
-                settings.known = chosen.known;
-                light_known = chosen.light_known;
-            };
-        }
+Options Request::options() {
+    Options all = options_with(choice_option("known", known_factor_names, known, known_remark));
     all.push_back(real_option("rmse", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9));
     all.push_back(choice_option("show", show_names, show, ": predicted errors, white at twice RMSE"));
     return all;
 }
 
-Image PictureRequest::image(const EnvironmentMap& map) const {
+Image Request::image(const EnvironmentMap& map) const {
+    const bool light_known = known == KnownFactor::light;
     PictureSettings chosen{settings, light_known};
+    chosen.known = known == KnownFactor::nothing ? Known::nothing : Known::cosine;
     const EnvironmentLight light(map, light_known, settings.threads);
     const double sun = light_known || (rmse == 0 && show == Show::picture) ? 0 : Sun(map).share();
     if (rmse > 0) {
@@ -55,11 +47,12 @@ Image PictureRequest::image(const EnvironmentMap& map) const {
     const Scene scene = sphere_scene();
     const PixelRules rules = rules_of(light, chosen);
     warn_of_weights(rules);
-    const Image image = render(scene, map, chosen, shade_of(scene, light, chosen, rules));
+    Image image = render(scene, map, chosen, shade_of(scene, light, chosen, rules));
     if (show == Show::picture) return image;
-    const Image errors = standard_errors(image, picture(light, second(chosen)));
+    Image errors = standard_errors(image, picture(light, second(chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen, predicted, sun);
-    return format == Format::ppm ? grey_scale(errors, 2 * predicted) : errors;
+    if (format == Format::ppm) return grey_scale(std::move(errors), 2 * predicted);
+    return errors;
 }
 }  // namespace bmc::beyond

@@ -1,9 +1,11 @@
-#include "beyond/picture_request.h"
+#include "beyond/request.h"
 #include "test.h"
+
+using namespace bmc::beyond;
 
 // The file of a picture of 16 x 16 pixels, after what is printed.
 static std::string asked(const EnvironmentMap& map, std::vector<std::string> words) {
-    beyond::PictureRequest request;
+    Request request;
     words.insert(words.end(), {"--size=16", "--format=pfm", "--samples=10"});
     parse(words, request.options());
     std::string file;
@@ -16,7 +18,8 @@ TEST_CASE("a request is a picture, the standard errors that two predict, or as m
     for (const std::string known : {"nothing", "cosine", "light"}) {
         PictureSettings settings{small_picture(Method::pool, 10, 16), false};
         settings.pool = 20;
-        set_known(settings, known);
+        settings.light_known = known == "light";
+        settings.known = known == "nothing" ? Known::nothing : Known::cosine;
         const EnvironmentLight light(map, settings.light_known, 1);
         const Image image = picture(light, settings), errors = standard_errors(image, picture(light, second(settings)));
         const std::string told = "renderer: %zu samples for a predicted RMSE of %.2g\n";
@@ -29,15 +32,15 @@ TEST_CASE("a request is a picture, the standard errors that two predict, or as m
               formatted(told.c_str(), chosen.samples, chosen.rmse) + to_file(picture(light, settings), Format::pfm));
     }
     CHECK(asked(map, {"--known=light", "--known=cosine"}) == asked(map, {"--known=cosine"}));  // the last one counts
-    CHECK_THROWS_AS(parse({"--known=all"}, beyond::PictureRequest().options()), std::invalid_argument);
+    CHECK_THROWS_WITH(parse({"--known=all"}, Request().options()), "--known: 'all' is not nothing, cosine or light");
     CHECK(contains(asked(map, {"--show=error", "--method=single"}), "; all pixels share one rule"));
 }
 
 TEST_CASE("what is shown has names; errors in a PPM are grey, white at twice their root mean square") {
-    CHECK(names_all(beyond::show_names));
-    beyond::PictureRequest request;
+    CHECK((names_all(show_names) && names_all(known_factor_names)));
+    Request request;
     request.settings = small_picture(Method::mc, 5, 16);
-    request.show = beyond::Show::error;
+    request.show = Show::error;
     Image grey(1, 1);
     stderr_of([&] { grey = request.image(coloured_map(32, 17)); });
     CHECK(relative(root_mean_square(grey), 0.5) < 1e-14);

@@ -2,10 +2,8 @@
 // picture, its errors under each of the built-in lights.
 #pragma once
 
-#include "beyond/reports/picture_cost.h"
-#include "command_line/command_line.h"
 #include "experiments/integrands.h"
-#include "light/load_environment.h"
+#include "experiments/picture_cost.h"
 
 namespace bmc {
 struct IntegralCost {

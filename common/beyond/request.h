@@ -9,15 +9,20 @@ namespace bmc::beyond {
 enum class Show { picture, error };
 constexpr std::pair<const char*, Show> show_names[] = {{"picture", Show::picture}, {"error", Show::error}};
 
-struct PictureRequest : bmc::PictureRequest {
-    bool light_known = false;
+// What is known of the integrand L(w) V(w) cos(theta).
+enum class KnownFactor { nothing, cosine, light };
+constexpr std::pair<const char*, KnownFactor> known_factor_names[] = {
+    {"nothing", KnownFactor::nothing}, {"cosine", KnownFactor::cosine}, {"light", KnownFactor::light}};
+
+struct Request : PictureRequest {
+    KnownFactor known = KnownFactor::nothing;
     Show show = Show::picture;
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 
-    Options options();
+    Options options() override;
 
     // Prints the prediction on stderr. Throws std::invalid_argument for an RMSE under a sun (sun.h) that is not known,
     // since both pictures may miss it.
-    Image image(const EnvironmentMap& map) const;
+    Image image(const EnvironmentMap& map) const override;
 };
 }  // namespace bmc::beyond

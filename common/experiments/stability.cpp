@@ -1,4 +1,4 @@
-#include "beyond/reports/stability.h"
+#include "experiments/stability.h"
 
 #include "command_line/command_line.h"
 

@@ -5,16 +5,10 @@
 
 #include <memory>
 
-namespace bmc {
+namespace bmc::beyond {
 struct PictureSettings : RenderSettings {
     bool light_known = false;  // then the cosine is known, too: the known part of a process is Known::cosine
 };
-
-// The name of what is known of the integrand L(w) V(w) cos(theta): nothing, cosine or light.
-const char* known_name(const PictureSettings& settings);
-
-// Throws std::invalid_argument if there is no such name.
-void set_known(PictureSettings& settings, const std::string& name);
 
 // An environment, and its averages where the light is to be known. The environment must outlive it.
 struct EnvironmentLight {
@@ -32,4 +26,4 @@ Shade shade_of(const Scene& scene, const EnvironmentLight& light, const PictureS
 
 // The image of linear radiance. Throws as rules_of does.
 Image picture(const EnvironmentLight& light, const PictureSettings& settings);
-}  // namespace bmc
+}  // namespace bmc::beyond

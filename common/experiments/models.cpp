@@ -1,6 +1,6 @@
-#include "beyond/reports/models.h"
+#include "experiments/models.h"
 
-#include "beyond/reports/root_mean_square.h"
+#include "experiments/statistics.h"
 #include "scene/scene.h"
 
 namespace bmc {
@@ -111,10 +111,10 @@ std::string ModelsReport::report() const {
     for (const ModelSettings& model : all_models()) {
         const ModelResults v = results_of(model, integrands, samples);
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
-        text += formatted(
-            "%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance, covariance_names),
-            parameter_of(model), model.noise, v.error.value(), v.error.standard_error(),
-            v.error.value() > 0 ? v.predicted.value() / v.error.value() : 0, v.evidence.mean - evidence_of_default);
+        text += formatted("%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance, covariance_names),
+                          parameter_of(model), model.noise, v.error.value(), v.error.standard_error(),
+                          v.error.value() > 0 ? v.predicted.value() / v.error.value() : 0,
+                          v.evidence.mean - evidence_of_default);
     }
     const RootMeanSquare mc = monte_carlo_error(integrands, samples);
     return text + formatted("%-21s %9s %6s %10.4g %10.2g %6s %9s\n", "monte-carlo", "-", "-", mc.value(),

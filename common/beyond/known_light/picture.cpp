@@ -1,17 +1,6 @@
-#include "beyond/prediction/picture.h"
+#include "beyond/known_light/picture.h"
 
-#include "command_line/command_line.h"
-
-namespace bmc {
-const char* known_name(const PictureSettings& settings) {
-    return settings.light_known ? "light" : name_of(settings.known, known_names);
-}
-
-void set_known(PictureSettings& settings, const std::string& name) {
-    settings.light_known = name == "light";
-    settings.known = settings.light_known ? Known::cosine : value_of(name, known_names);
-}
-
+namespace bmc::beyond {
 EnvironmentLight::EnvironmentLight(const EnvironmentMap& map, bool known, unsigned threads) : environment(map) {
     if (known) prefiltered = std::make_shared<const PrefilteredEnvironment>(map, threads);
 }
@@ -31,4 +20,4 @@ Image picture(const EnvironmentLight& light, const PictureSettings& settings) {
     const Scene scene = sphere_scene();
     return render(scene, light.environment, settings, shade_of(scene, light, settings, rules_of(light, settings)));
 }
-}  // namespace bmc
+}  // namespace bmc::beyond

@@ -1,6 +1,8 @@
-#include "beyond/reports/tradeoff.h"
+#include "experiments/tradeoff.h"
 
-#include "beyond/reports/root_mean_square.h"
+#include "experiments/picture_error.h"
+#include "experiments/statistics.h"
+#include "light/load_environment.h"
 
 #include <algorithm>
 #include <numeric>
@@ -76,11 +78,10 @@ static std::string integral_report(const std::vector<IntegralCost>& rows, bool t
 
 const char* const meaning =
     "# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its\n"
-    "# standard error; predicted: the rmse that two of the pictures predict; within: the fraction of errors within "
-    "two\n"
-    "# predicted ones; brightness: root mean square of the mean's relative error; correlation: of the errors of\n"
-    "# neighbouring pixels, less their mean; mc_samples: samples with which mc has this rmse; known: what is known of\n"
-    "# the integrand.\n";
+    "# standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean "
+    "square\n"
+    "# of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the\n"
+    "# integrand.\n";
 const char* const measured =
     "# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is\n"
     "# that relative to mc.\n";
@@ -115,16 +116,11 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64
 }
 
 Options TradeoffReport::options() {
-    return {text_option("environment", "FILE", "one light, as for the renderer (default: each built-in light)",
-                        environment),
-            {"size", "W", "of the pictures, W x W pixels (default 64)",
-             [this](const std::string& text) { costs.size = static_cast<int>(parse_whole(text, 2, 1024)); }},
-            {"seed", "K", "seed of the random numbers (default 1)",
-             [this](const std::string& text) { costs.seed = parse_whole(text, 0, UINT64_MAX); }},
-            {"all", "", "more settings, with 10 to 160 samples, under one light (default desert)",
-             [this](const std::string&) { all = true; }},
-            {"no-times", "", "leaves out what is measured and differs from run to run",
-             [this](const std::string&) { costs.timed = false; }}};
+    return Options{text_option("environment", "FILE", "one light, as for the renderer (default: each built-in light)",
+                               environment),
+                   {"all", "", "more settings, with 10 to 160 samples, under one light (default desert)",
+                    [this](const std::string&) { all = true; }}} +
+           cost_options(costs);
 }
 
 std::string TradeoffReport::report() const {
@@ -138,10 +134,11 @@ std::string TradeoffReport::report() const {
         if (text.empty())
             text = "# What an integral costs: " + name + " above a tilted surface, Sobolev 3/2, noise 0.01.\n" +
                    integral_report(integral_costs(environment_integrand(light), costs.seed, costs.timed), costs.timed);
+        const Image truth = dense_truth(*light, row_settings(costs, {}, 0), 10000);
         text +=
             formatted("\n\n# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
             name + ".\n" + meaning + (costs.timed ? measured : "") +
-            picture_table(picture_costs(*light, compared_settings(all), samples, costs), costs.timed);
+            picture_table(picture_costs(compared_pictures(*light, all), samples, costs, truth), costs.timed);
     }
     return text;
 }

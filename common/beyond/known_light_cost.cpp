@@ -1,0 +1,91 @@
+#include "beyond/known_light_cost.h"
+
+#include "experiments/statistics.h"
+#include "light/load_environment.h"
+
+namespace bmc::beyond {
+static ComparedPicture picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
+                                        Placement placement) {
+    ComparedPicture compared = compared_picture(light.environment, method, pool, placement, Known::cosine);
+    compared.known = "light";
+    compared.image = [&light](const RenderSettings& settings) { return picture(light, {settings, true}); };
+    return compared;
+}
+
+// The cells "predicted" and "within" of a row.
+static std::string prediction_cells(const ComparedPicture& compared, RenderSettings settings, const Image& truth) {
+    RootMeanSquare predicted;
+    Statistics covered;
+    const std::uint64_t end = settings.seed + seeds_of(settings);
+    for (Image before = compared.image(settings); ++settings.seed != end;) {
+        Image image = compared.image(settings);
+        const Image errors = standard_errors(before, image);
+        predicted.add(root_mean_square(errors));
+        covered.add(coverage(image, truth, errors));
+        before = std::move(image);
+    }
+    return formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
+}
+
+Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings, std::size_t samples) {
+    settings.method = Method::mc;
+    settings.placement = Placement::cosine_fibonacci;
+    settings.samples = samples;
+    const Scene scene = sphere_scene();
+    const Sun sun(environment, 4);  // with the edge of a disc, which a lattice would seldom meet
+    const EnvironmentMap sky = sun.sky();
+    const Shade of_sky = reflected_environment(scene, sky, PixelRules(settings));
+    return render(scene, environment, settings, [&](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(settings, x, y);
+        const Color of_sun = light_of_sun(scene, sun, hit, sun.empty() ? 0 : samples, random).visible;
+        return of_sky(hit, x, y) + sun.light() / (portable::pi * static_cast<double>(samples)) * (hit.albedo * of_sun);
+    });
+}
+
+double coverage(const Image& image, const Image& truth, const Image& predicted) {
+    double within = 0, all = 0;
+    for_each_hit(sphere_scene(), {image.width, image.height}, [&](int x, int y, const Hit&) {
+        const Color error = image(x, y) - truth(x, y), most = 2 * predicted(x, y);
+        within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
+        all += 3;
+    });
+    return within / all;
+}
+
+Options KnownLightReport::options() {
+    Options all = cost_options(costs);
+    all.insert(all.begin(), text_option("environment", "FILE",
+                                        "one light, as for the renderer (default: each built-in light)", environment));
+    return all;
+}
+
+std::string KnownLightReport::report() const {
+    std::vector<std::string> names{environment};
+    if (environment.empty()) names = {std::begin(built_in_lights), std::end(built_in_lights)};
+    std::string text;
+    for (const std::string& name : names) {
+        const EnvironmentMap map = load_environment(name);
+        const RenderSettings settings = row_settings(costs, {}, 0);
+        const EnvironmentLight light(map, true, settings.threads);
+        const Image truth = truth_with_sun(map, settings, 10000);
+        const std::vector<ComparedPicture> compared{
+            compared_picture(map, Method::mc, 1, Placement::uniform),
+            compared_picture(map, Method::pool, 20, Placement::uniform),
+            compared_picture(map, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine),
+            picture_of_known(light, Method::mc, 1, Placement::uniform),
+            picture_of_known(light, Method::pool, 20, Placement::uniform),
+            picture_of_known(light, Method::mc, 1, Placement::cosine_fibonacci),
+            picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
+        const std::vector<PictureCost> rows = picture_costs(compared, {10, 40}, costs, truth);
+        std::vector<std::string> cells;
+        for (const ComparedPicture& each : compared)
+            for (const std::size_t n : {10u, 40u})
+                cells.push_back(prediction_cells(each, row_settings(costs, each.settings, n), truth));
+        text += (text.empty() ? "" : "\n\n") + ("# The sphere scene under " + name) +
+                ". Columns as of tradeoff; predicted: the rmse that two of the pictures predict; within: the\n"
+                "# fraction of errors within two predicted ones.\n" +
+                picture_table(rows, costs.timed, "   predicted within", cells);
+    }
+    return text;
+}
+}  // namespace bmc::beyond

@@ -1,0 +1,23 @@
+// What it saves to know the light, and how well two pictures predict the error of one.
+#pragma once
+
+#include "beyond/prediction/prediction.h"
+#include "experiments/picture_cost.h"
+
+namespace bmc::beyond {
+// The picture by this number of directions on a lattice and the same number of rays to bright texels (sun.h). Nothing
+// is from a table of the light. Size, seed and threads are those of the settings.
+Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings, std::size_t samples);
+
+// The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
+double coverage(const Image& image, const Image& truth, const Image& predicted);
+
+// What `workbench known-light` prints.
+struct KnownLightReport {
+    std::string environment;  // empty: the built-in lights
+    CostSettings costs;
+
+    Options options();
+    std::string report() const;
+};
+}  // namespace bmc::beyond
