@@ -1,6 +1,6 @@
 #include "beyond/known_light_cost.h"
 
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 #include "light/load_environment.h"
 
 namespace bmc::beyond {

@@ -4,7 +4,7 @@
 
 #include "command_line/model_options.h"
 #include "experiments/integrands.h"
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 
 namespace bmc {
 struct ErrorSettings : ModelSettings {

@@ -1,6 +1,6 @@
 #include "experiments/models.h"
 
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 #include "scene/scene.h"
 
 namespace bmc {

@@ -1,7 +1,7 @@
 #include "experiments/picture_cost.h"
 
 #include "experiments/picture_error.h"
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 
 #include <algorithm>
 #include <chrono>

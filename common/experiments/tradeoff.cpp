@@ -1,7 +1,7 @@
 #include "experiments/tradeoff.h"
 
 #include "experiments/picture_error.h"
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 #include "light/load_environment.h"
 
 #include <algorithm>

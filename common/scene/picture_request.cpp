@@ -1,5 +1,7 @@
 #include "scene/picture_request.h"
 
+#include "numerics/statistics.h"
+
 #include <algorithm>
 #include <thread>
 
@@ -72,15 +74,25 @@ std::string PictureRequest::file(Image image) const {
 }
 
 void warn_of_weights(const PixelRules& rules) {
-    if (rules.stability() > 2)
+    SharedRules examined = rules.shared();
+    if (examined.empty()) {
+        Random random = pixel_stream(rules.settings(), 0, 0);
+        examined.push_back(rules.fresh_rule(random));
+    }
+    Statistics stability, sum;
+    for (const auto& rule : examined) {
+        stability.add(stability_constant(*rule));
+        sum.add(relative_weight_sum(*rule));
+    }
+    if (stability.mean > 2)
         std::fprintf(stderr,
                      "renderer: warning: the sizes of a rule's weights sum to %.3g times the known integral (usual: 1 "
                      "to 1.3), so errors grow; take the default covariance, or --noise 0.1\n",
-                     rules.stability());
-    else if (rules.weight_sum() < 0.5)
+                     stability.mean);
+    else if (sum.mean < 0.5)
         std::fprintf(stderr,
                      "renderer: warning: a rule's weights sum to %.3g times the known integral (usual: 0.9 to 1), so "
                      "the picture is too dark; take the default covariance and noise\n",
-                     rules.weight_sum());
+                     sum.mean);
 }
 }  // namespace bmc

@@ -31,7 +31,7 @@ protected:
     Options options_with(const Option& known);
 };
 
-// Prints a warning on stderr if the weights of these rules cannot make a good picture: S > 2 (stability_constant), or a
-// sum below half of the integral of the known part.
+// Prints a warning on stderr if the weights of the shared rules, or of a pixel's own, cannot make a good picture: S > 2
+// (stability_constant) in the mean, or a sum below half of the integral of cos(theta).
 void warn_of_weights(const PixelRules& rules);
 }  // namespace bmc

@@ -32,11 +32,10 @@ Random pixel_stream(const RenderSettings& settings, int x, int y);
 // The rule of a pixel, made for it alone or shared, and the frame that carries it to the surface.
 struct PlacedRule {
     Frame frame;
-    std::optional<QuadratureRule> own;
-    const QuadratureRule* shared = nullptr;
-
-    const QuadratureRule& rule() const { return own ? *own : *shared; }
+    std::shared_ptr<const QuadratureRule> rule;
 };
+
+using SharedRules = std::vector<std::shared_ptr<const QuadratureRule>>;
 
 class PixelRules {
 public:
@@ -45,27 +44,20 @@ public:
 
     const RenderSettings& settings() const { return settings_; }
 
-    // The rules that pixels share, with the known part cos(theta).
-    const std::vector<QuadratureRule>& shared() const { return shared_; }
-
-    // The means of stability_constant and relative_weight_sum over the shared rules, before cos(theta) goes into their
-    // weights. Where pixels share no rule, those of one fresh rule.
-    double stability() const { return stability_; }
-    double weight_sum() const { return weight_sum_; }
+    // The rules that pixels share. These and those below have the known part cos(theta).
+    const SharedRules& shared() const { return shared_; }
 
     // A rule on fresh directions, of Monte Carlo or of a Gaussian process.
-    QuadratureRule fresh_rule(Random& random) const;
+    std::shared_ptr<const QuadratureRule> fresh_rule(Random& random) const;
 
-    // The rule of a pixel, with the known part cos(theta), from the pixel's random stream. It may point into this
-    // object.
+    // The rule of a pixel, from the pixel's random stream.
     PlacedRule rule_for(Vec3 normal, Random& random) const;
 
 private:
-    std::vector<QuadratureRule> shared_rules() const;
+    SharedRules shared_rules() const;
 
     RenderSettings settings_;
     std::shared_ptr<const Covariance> covariance_;  // none of mc
-    std::vector<QuadratureRule> shared_;
-    double stability_ = 0, weight_sum_ = 0;
+    SharedRules shared_;
 };
 }  // namespace bmc

@@ -7,7 +7,7 @@ Shade reflected_environment(const Scene& scene, const EnvironmentMap& environmen
     return [&scene, &environment, rules](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
         const PlacedRule placed = rules.rule_for(hit.normal, random);
-        return reflected_light(scene, environment, hit, placed.rule(), placed.frame);
+        return reflected_light(scene, environment, hit, *placed.rule, placed.frame);
     };
 }
 

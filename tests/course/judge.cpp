@@ -6,7 +6,7 @@
 #include "numerics/portable_math.h"
 
 #include "../output/picture.h"
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 #include "scene/picture_request.h"
 
 #include <algorithm>

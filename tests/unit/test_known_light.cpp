@@ -28,11 +28,11 @@ TEST_CASE("the sky's fraction is sum of w L V over sum of w L; a colour is E_sky
         Random random = pixel_stream(rules.settings(), x, y);
         const PlacedRule placed = rules.rule_for(hit.normal, random);
         Quotient sky;
-        for (std::size_t i = 0; i < placed.rule().size(); ++i) {
-            const Vec3 direction = placed.frame.to_world(placed.rule().directions[i]);
-            sky.add(placed.rule().weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
+        for (std::size_t i = 0; i < placed.rule->size(); ++i) {
+            const Vec3 direction = placed.frame.to_world(placed.rule->directions[i]);
+            sky.add(placed.rule->weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
         }
-        CHECK(same(visible_sky(scene, means, hit, placed.rule(), placed.frame), sky.fraction()));
+        CHECK(same(visible_sky(scene, means, hit, *placed.rule, placed.frame), sky.fraction()));
         const Color sun = light_of_sun(scene, light.sun(), hit, 3, random).fraction();
         const Color all = light.sky_irradiance(hit.normal) * sky.fraction() + light.sun_irradiance(hit.normal) * sun;
         CHECK(same(shade(hit, x, y), 1 / pi * (hit.albedo * all)));

@@ -26,7 +26,7 @@ TEST_CASE("a shade is the light that a point reflects by its pixel's rule and fr
         for_each_hit(scene, {12, 12}, [&](int x, int y, const Hit& hit) {
             Random random = pixel_stream(settings, x, y);
             const PlacedRule placed = rules.rule_for(hit.normal, random);
-            CHECK(same(shade(hit, x, y), reflected_light(scene, map, hit, placed.rule(), placed.frame)));
+            CHECK(same(shade(hit, x, y), reflected_light(scene, map, hit, *placed.rule, placed.frame)));
         });
         const std::vector<Color> one = render(scene, map, settings, shade).pixels;
         settings.threads = 5;

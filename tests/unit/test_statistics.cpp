@@ -1,4 +1,4 @@
-#include "experiments/statistics.h"
+#include "numerics/statistics.h"
 #include "test.h"
 
 TEST_CASE("the mean, the squares around it and its standard error are those of the definition") {

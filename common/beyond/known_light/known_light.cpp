@@ -38,7 +38,7 @@ Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& li
     return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
         const PlacedRule placed = rules.rule_for(hit.normal, random);
-        const Color sky = visible_sky(scene, means, hit, placed.rule(), placed.frame);
+        const Color sky = visible_sky(scene, means, hit, *placed.rule, placed.frame);
         const Color sun = light_of_sun(scene, light.sun(), hit, sun_rays, random).fraction();
         return 1 / portable::pi *
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
