@@ -32,15 +32,14 @@ static std::string light_file() {
 }
 
 static std::string run(int argc, char** argv) {
-    const std::vector<Command> commands =
-        std::vector<Command>{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
-                             command<RuleReport>("rule", "directions and weights of a rule"),
-                             command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
-                             {"light", "the built-in light for others, > desert.pfm", {}, light_file},
-                             command<TradeoffReport>("tradeoff", "what accuracy costs"),
-                             command<ModelsReport>("models", "covariances and noise compared"),
-                             {"stability", "where the arithmetic breaks", {}, stability_report}} +
-        beyond::commands();
+    std::vector<Command> commands{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
+                                  command<RuleReport>("rule", "directions and weights of a rule"),
+                                  command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
+                                  {"light", "the built-in light for others, > desert.pfm", {}, light_file},
+                                  command<TradeoffReport>("tradeoff", "what accuracy costs"),
+                                  command<ModelsReport>("models", "covariances and noise compared"),
+                                  {"stability", "where the arithmetic breaks", {}, stability_report}};
+    for (const Command& each : beyond::commands()) commands.push_back(each);
     const bool named = argc > 1 && *argv[1] && *argv[1] != '-';
     const std::string name = named ? argv[1] : "";
     std::string names, usages;

@@ -18,6 +18,12 @@ static void write_all(const std::string& output) {
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
 
+Options joined(std::initializer_list<Options> lists) {
+    Options all;
+    for (const Options& each : lists) all.insert(all.end(), each.begin(), each.end());
+    return all;
+}
+
 std::vector<std::string> parse_options(int argc, char** argv, const Options& options) {
     std::vector<option> table;
     for (const Option& each : options)

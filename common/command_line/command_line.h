@@ -6,6 +6,7 @@
 #include "numerics/portable_math.h"
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -42,12 +43,8 @@ Command command(const char* name, const char* summary) {
     return {name, summary, experiment->options(), [experiment] { return experiment->report(); }};
 }
 
-// The elements of both lists.
-template <class T>
-std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
+// The options of all these lists.
+Options joined(std::initializer_list<Options> lists);
 
 // Applies the options in argv, and returns the arguments that no option takes. Throws std::invalid_argument that names
 // the option.

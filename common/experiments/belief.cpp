@@ -28,6 +28,13 @@ public:
             luminances.push_back(dot(luminance, samples_.back()));
         }
         amplitude_ = process.amplitude(luminances);
+        const auto solved = [&](double Vec3::*channel) {
+            std::vector<double> values;
+            for (const Color& sample : samples_) values.push_back(sample.*channel);
+            return process.cholesky().solve(values);
+        };
+        const std::vector<double> x = solved(&Vec3::x), y = solved(&Vec3::y), z = solved(&Vec3::z);
+        for (std::size_t j = 0; j < x.size(); ++j) coefficients_.push_back({x[j], y[j], z[j]});
     }
 
     Color light(Vec3 w) const {
@@ -55,16 +62,18 @@ private:
     }
 
     // The posterior mean k^T Q^-1 Y, the standard deviation a sqrt(k(w, w) - k^T Q^-1 k), or the error of the mean.
+    // Where L y = k, k^T Q^-1 k is |y|^2.
     Color belief(int number, Vec3 w) const {
         std::vector<double> k;
         for (const Vec3& direction : process_.directions()) k.push_back(covariance_.k(squared_distance(w, direction)));
-        const std::vector<double> weights = process_.cholesky().solve(k);
+        if (number == 2) {
+            const std::vector<double> y = process_.cholesky().solve_lower(k);
+            const double explained = std::inner_product(y.begin(), y.end(), y.begin(), 0.0);
+            return error_scale * amplitude_ * std::sqrt(std::fmax(covariance_.k(0) - explained, 0)) * white;
+        }
         Color mean;
-        for (std::size_t j = 0; j < k.size(); ++j) mean += weights[j] * samples_[j];
-        if (number == 1) return mean;
-        if (number == 3) return error_scale * std::fabs(dot(luminance, mean - light(w))) * white;
-        const double explained = std::inner_product(k.begin(), k.end(), weights.begin(), 0.0);
-        return error_scale * amplitude_ * std::sqrt(std::fmax(covariance_.k(0) - explained, 0)) * white;
+        for (std::size_t j = 0; j < k.size(); ++j) mean += k[j] * coefficients_[j];
+        return number == 1 ? mean : error_scale * std::fabs(dot(luminance, mean - light(w))) * white;
     }
 
     const EnvironmentMap& map_;
@@ -72,16 +81,16 @@ private:
     const GaussianProcess& process_;
     const Scene scene_ = sphere_scene();
     const Hit hit_ = *intersect(scene_, Camera{500, 500}.ray(140, 470));  // the sphere hides a part of its sky
-    std::vector<Color> samples_;
+    std::vector<Color> samples_, coefficients_;                           // Y and Q^-1 Y
     double amplitude_;
 };
 
 }  // namespace
 
 Options Belief::options() {
-    return Options{whole_option("samples", "N", "directions of the process (default 40)", samples, 400),
-                   text_option("environment", "FILE", environment_help, environment)} +
-           model_options(settings);
+    return joined({Options{whole_option("samples", "N", "directions of the process (default 40)", samples, 400),
+                           text_option("environment", "FILE", environment_help, environment)},
+                   model_options(settings)});
 }
 
 std::string Belief::report() const {

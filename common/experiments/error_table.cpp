@@ -87,15 +87,15 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 }
 
 Options ErrorTables::options() {
-    return Options{text_option("integrand", "NAME", "cosine, cosine-cubed, environment or constant (default all)",
-                               integrand),
-                   {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
-                    [this](const std::string& text) { settings.samples = parse_samples(text); }},
-                   whole_option("mc-estimates", "M", "estimates of MC in a mean error (default 100)",
-                                settings.mc_estimates, 100000),
-                   whole_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)",
-                                settings.bmc_estimates, 100000)} +
-           model_options(settings);
+    return joined({Options{text_option("integrand", "NAME",
+                                       "cosine, cosine-cubed, environment or constant (default all)", integrand),
+                           {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
+                            [this](const std::string& text) { settings.samples = parse_samples(text); }},
+                           whole_option("mc-estimates", "M", "estimates of MC in a mean error (default 100)",
+                                        settings.mc_estimates, 100000),
+                           whole_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)",
+                                        settings.bmc_estimates, 100000)},
+                   model_options(settings)});
 }
 
 std::string ErrorTables::report() const {

@@ -72,11 +72,12 @@ Samples read_samples(std::istream& in) {
 }
 
 Options RuleReport::options() {
-    return Options{whole_option("samples", "N", "directions of the rule (default 40)", samples, max_process_samples),
-                   text_option("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)",
-                               directions),
-                   {"matrices", "", "prints Q and its inverse, too", [this](const std::string&) { matrices = true; }}} +
-           model_options(settings);
+    return joined(
+        {Options{whole_option("samples", "N", "directions of the rule (default 40)", samples, max_process_samples),
+                 text_option("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)",
+                             directions),
+                 {"matrices", "", "prints Q and its inverse, too", [this](const std::string&) { matrices = true; }}},
+         model_options(settings)});
 }
 
 std::string RuleReport::report() const {

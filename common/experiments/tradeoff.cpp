@@ -1,8 +1,8 @@
 #include "experiments/tradeoff.h"
 
 #include "experiments/picture_error.h"
-#include "numerics/statistics.h"
 #include "light/load_environment.h"
+#include "numerics/statistics.h"
 
 #include <algorithm>
 #include <numeric>
@@ -116,11 +116,11 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64
 }
 
 Options TradeoffReport::options() {
-    return Options{text_option("environment", "FILE", "one light, as for the renderer (default: each built-in light)",
-                               environment),
-                   {"all", "", "more settings, with 10 to 160 samples, under one light (default desert)",
-                    [this](const std::string&) { all = true; }}} +
-           cost_options(costs);
+    return joined({Options{text_option("environment", "FILE",
+                                       "one light, as for the renderer (default: each built-in light)", environment),
+                           {"all", "", "more settings, with 10 to 160 samples, under one light (default desert)",
+                            [this](const std::string&) { all = true; }}},
+                   cost_options(costs)});
 }
 
 std::string TradeoffReport::report() const {

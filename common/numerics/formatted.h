@@ -1,15 +1,29 @@
 // Text with numbers in it.
 #pragma once
 
+#include <cstdarg>
 #include <cstdio>
 #include <string>
 
 namespace bmc {
-// The text that printf would print, cut after 319 characters.
-template <class... Arguments>
-std::string formatted(const char* format, Arguments... arguments) {
-    char text[320];
-    std::snprintf(text, sizeof text, format, arguments...);
+// The text that printf would print. The attribute lets compilers compare the arguments with the format.
+#ifdef __MINGW32__
+__attribute__((format(gnu_printf, 1, 2)))
+#else
+__attribute__((format(printf, 1, 2)))
+#endif
+inline std::string
+formatted(const char* format, ...) {
+    va_list arguments, same;
+    va_start(arguments, format);
+    va_copy(same, arguments);
+    std::string text(200, ' ');
+    const auto length = static_cast<std::size_t>(std::vsnprintf(text.data(), text.size() + 1, format, arguments));
+    const bool fits = length <= text.size();
+    text.resize(length);
+    if (!fits) std::vsnprintf(text.data(), length + 1, format, same);
+    va_end(same);
+    va_end(arguments);
     return text;
 }
 }  // namespace bmc

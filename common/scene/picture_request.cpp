@@ -37,17 +37,18 @@ Options PictureRequest::options() {
 }
 
 Options PictureRequest::options_with(const Option& known) {
-    return Options{choice_option("method", method_names, settings.method),
-                   whole_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
-                   whole_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)} +
-           model_options(settings, known) +
-           Options{
-               {"size", "WxH", "in pixels, or W for a square (default 500x500)",
-                [this](const std::string& text) { set_size(settings, text); }},
-               text_option("environment", "FILE", environment_help, environment),
-               real_option("exposure", "stops by which a PPM is brighter (default 0)", exposure, -100, 100),
-               choice_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
-               whole_option("threads", "T", "changes the time only (default: all processors)", settings.threads, 256)};
+    return joined(
+        {Options{choice_option("method", method_names, settings.method),
+                 whole_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
+                 whole_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)},
+         model_options(settings, known),
+         Options{
+             {"size", "WxH", "in pixels, or W for a square (default 500x500)",
+              [this](const std::string& text) { set_size(settings, text); }},
+             text_option("environment", "FILE", environment_help, environment),
+             real_option("exposure", "stops by which a PPM is brighter (default 0)", exposure, -100, 100),
+             choice_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
+             whole_option("threads", "T", "changes the time only (default: all processors)", settings.threads, 256)}});
 }
 
 void PictureRequest::require_possible() const {

@@ -5,9 +5,10 @@ TEST_CASE("options take values in both spellings and leave the rest; a mistake n
     std::string text;
     double real = 0;
     int whole = 0, flags = 0;
-    const Options options = Options{text_option("text", "X", "", text), real_option("real", "", real, -1, 2.5)} +
-                            Options{whole_option("whole", "N", "", whole, 4096),
-                                    {"flag", "", "", [&](const std::string& none) { flags += none.empty(); }}};
+    const Options options =
+        joined({Options{text_option("text", "X", "", text), real_option("real", "", real, -1, 2.5)},
+                Options{whole_option("whole", "N", "", whole, 4096),
+                        {"flag", "", "", [&](const std::string& none) { flags += none.empty(); }}}});
     CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--whole", "4096", "-flag"}, options) ==
           std::vector<std::string>{"rest"});
     CHECK((text == "3" && real == -0.5 && whole == 4096 && flags == 2));
