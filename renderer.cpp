@@ -18,10 +18,9 @@ int main(int argc, char** argv) {
         Request request;
         const auto picture = [&request] {
             request.require_possible();
-            require_file_output("./renderer > out.ppm");
             return request.file(request.image(load_environment(request.environment, request.settings.threads)));
         };
-        return run_command({"", "", request.options(), picture},
+        return run_command({"", "", request.options(), picture, "out.ppm"},
                            "usage: ./renderer [options] > out.ppm\n"
                            "       ./renderer --method direct --samples 20 --size 100 > direct.ppm\n",
                            argc, argv);

@@ -23,7 +23,6 @@ using namespace bmc;
 
 // The built-in environment for other programs: its texels, row 0 at the top, as a PFM.
 static std::string light_file() {
-    require_file_output("./workbench light > desert.pfm");
     const EnvironmentMap map = load_environment();
     Image image(map.width(), map.height());
     for (int y = 0; y < map.height(); ++y)
@@ -32,13 +31,14 @@ static std::string light_file() {
 }
 
 static std::string run(int argc, char** argv) {
-    std::vector<Command> commands{command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
-                                  command<RuleReport>("rule", "directions and weights of a rule"),
-                                  command<Belief>("belief", "what a Gaussian process believes, > belief.ppm"),
-                                  {"light", "the built-in light for others, > desert.pfm", {}, light_file},
-                                  command<TradeoffReport>("tradeoff", "what accuracy costs"),
-                                  command<ModelsReport>("models", "covariances and noise compared"),
-                                  {"stability", "where the arithmetic breaks", {}, stability_report}};
+    std::vector<Command> commands{
+        command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
+        command<RuleReport>("rule", "directions and weights of a rule"),
+        command<Belief>("belief", "what a Gaussian process believes, > belief.ppm", "belief.ppm"),
+        {"light", "the built-in light for others, > desert.pfm", {}, light_file, "desert.pfm"},
+        command<TradeoffReport>("tradeoff", "what accuracy costs"),
+        command<ModelsReport>("models", "covariances and noise compared"),
+        {"stability", "where the arithmetic breaks", {}, stability_report}};
     for (const Command& each : beyond::commands()) commands.push_back(each);
     const bool named = argc > 1 && *argv[1] && *argv[1] != '-';
     const std::string name = named ? argv[1] : "";

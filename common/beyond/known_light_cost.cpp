@@ -1,7 +1,7 @@
 #include "beyond/known_light_cost.h"
 
-#include "numerics/statistics.h"
 #include "light/load_environment.h"
+#include "numerics/statistics.h"
 
 namespace bmc::beyond {
 static ComparedPicture picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,

@@ -8,8 +8,8 @@ static void print_prediction(const PictureSettings& settings, double rmse, doubl
         remark = formatted("; it may miss the sun, %.3g %% of the light: take --known light", 100 * sun);
     else if (settings.method == Method::single)
         remark = "; all pixels share one rule, and this seed may be far off";
-    std::fprintf(stderr, "renderer: %zu sample%s for a predicted RMSE of %.2g%s\n", settings.samples,
-                 settings.samples == 1 ? "" : "s", rmse, remark.c_str());
+    print_note(formatted("%zu sample%s for a predicted RMSE of %.2g%s", settings.samples,
+                         settings.samples == 1 ? "" : "s", rmse, remark.c_str()));
 }
 
 // The root mean square of each pixel's colours, from black at 0 to white at `white`.

@@ -1,5 +1,7 @@
 #include "command_line/command_line.h"
 
+#include "linear_algebra/cholesky.h"
+
 #include <fcntl.h>
 #include <getopt.h>
 #include <unistd.h>
@@ -9,6 +11,8 @@
 #include <cstdlib>
 
 namespace bmc {
+static const char* program = "bmc";  // its name, once run_program has begun
+
 static void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
@@ -58,6 +62,9 @@ std::string run_command(Command command, const std::string& usage, int argc, cha
     const std::vector<std::string> rest = parse_options(argc, argv, command.options);
     if (help) return usage + '\n' + describe(command.options);
     if (!rest.empty()) throw std::invalid_argument("'" + rest[0] + "' is no option; --help shows what can be typed");
+    if (!command.file.empty() && isatty(STDOUT_FILENO))
+        throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program + ' ' +
+                                    command.name + (command.name.empty() ? "> " : " > ") + command.file);
     return command.report();
 }
 
@@ -77,9 +84,12 @@ std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint6
                                 std::to_string(high));
 }
 
+void print_note(const std::string& text) { std::fprintf(stderr, "%s: %s\n", program, text.c_str()); }
+
 int run_program(const char* name, const std::function<std::string()>& body) {
-    const auto fail = [name](const char* problem, int status) {
-        std::fprintf(stderr, "%s: %s\n", name, problem);
+    program = name;
+    const auto fail = [](const std::string& problem, int status) {
+        print_note(problem);
         return status;
     };
     try {
@@ -92,14 +102,12 @@ int run_program(const char* name, const std::function<std::string()>& body) {
         return 0;
     } catch (const std::invalid_argument& error) {
         return fail(error.what(), 2);
+    } catch (const NotPositiveDefinite& error) {
+        return fail(error.what() + std::string(refusal_advice), 1);
     } catch (const std::bad_alloc&) {
         return fail("there is not enough memory; ask for fewer samples or pixels", 1);
     } catch (const std::exception& error) {
         return fail(error.what(), 1);
     }
-}
-
-void require_file_output(const std::string& command) {
-    if (isatty(STDOUT_FILENO)) throw std::invalid_argument("the picture would go to the terminal; type " + command);
 }
 }  // namespace bmc

@@ -34,13 +34,14 @@ struct Command {
     std::string summary;
     Options options;
     std::function<std::string()> report;  // throws std::invalid_argument if options do not fit together
+    std::string file = "";                // what its output goes to, if it is no text for a terminal
 };
 
 // The command that runs an Experiment: a type with options(), which set its members, and report().
 template <class Experiment>
-Command command(const char* name, const char* summary) {
+Command command(const char* name, const char* summary, const char* file = "") {
     const auto experiment = std::make_shared<Experiment>();
-    return {name, summary, experiment->options(), [experiment] { return experiment->report(); }};
+    return {name, summary, experiment->options(), [experiment] { return experiment->report(); }, file};
 }
 
 // The options of all these lists.
@@ -53,7 +54,8 @@ std::vector<std::string> parse_options(int argc, char** argv, const Options& opt
 // A line for each option, for a help text.
 std::string describe(const Options& options);
 
-// What the command prints for the arguments in argv: its report, or with --help the usage and its options.
+// What the command prints for the arguments in argv: its report, or with --help the usage and its options. Throws
+// std::invalid_argument if a file would go to a terminal.
 std::string run_command(Command command, const std::string& usage, int argc, char** argv);
 
 // The whole text as a number. Both throw std::invalid_argument unless it lies in [low, high].
@@ -109,6 +111,9 @@ Option whole_option(const char* name, const char* argument, const char* descript
 // 1 after any other exception. An exception becomes one line on stderr, which begins with the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
 
-// Throws std::invalid_argument if stdout is a terminal, which takes no picture. command is what to type instead.
-void require_file_output(const std::string& command);
+// Prints a line on stderr, which begins with the program's name.
+void print_note(const std::string& text);
+
+// What to say after the message of a NotPositiveDefinite; run_program does.
+constexpr const char* refusal_advice = "; take the default covariance and noise, or --noise 0.1";
 }  // namespace bmc

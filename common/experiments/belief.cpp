@@ -94,7 +94,6 @@ Options Belief::options() {
 }
 
 std::string Belief::report() const {
-    require_file_output("./workbench belief > belief.ppm");
     const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     const EnvironmentMap map = load_environment(environment, threads);
     const auto covariance = settings.make_covariance();
@@ -105,8 +104,8 @@ std::string Belief::report() const {
     const auto value = [&](Vec3 w) { return dot(luminance, sky.light(w)) * known_part(settings.known, w); };
     const Integrand integrand{"", "", value, 0};
     const std::vector<double> values = sample(integrand, process.directions(), settings.known);
-    std::fprintf(stderr, "workbench: estimate %.4f, standard error %.4f, truth %.4f\n", process.integral(values),
-                 process.standard_error(values), dense_quadrature(integrand));
+    print_note(formatted("estimate %.4f, standard error %.4f, truth %.4f", process.integral(values),
+                         process.standard_error(values), dense_quadrature(integrand)));
     Image image(4 * disc, disc);
     for_each_row(disc, threads, [&](int y) {
         for (int i = 0; i < subpixels * subpixels * image.width; ++i) {

@@ -71,7 +71,7 @@ ErrorRow error_row(const Integrand& integrand, std::size_t samples, const ErrorS
         add_bmc_errors(row, integrand, settings);
     } catch (const NotPositiveDefinite& refused) {
         row.bmc = row.predicted = {};
-        row.refusal = refused.what();
+        row.refusal = refused.what() + std::string(refusal_advice);
     }
     return row;
 }

@@ -7,8 +7,7 @@ double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
     const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(a(k, k));
     if (!(pivot > least))
         throw NotPositiveDefinite(
-            formatted("the matrix of %zu samples is not positive definite: pivot %zu is %.3g", a.rows(), k, pivot) +
-            "; take the default covariance and noise, or --noise 0.1");
+            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g", a.rows(), k, pivot));
     return std::sqrt(pivot);
 }
 

@@ -24,10 +24,10 @@ static void warn_of_exposure(const Image& image, double exposure) {
     std::sort(brightness.begin(), brightness.end());
     const std::size_t n = brightness.size();
     if (n == 0 || brightness[n - 1 - n / 10] <= 1) return;
-    std::fprintf(stderr,
-                 "renderer: warning: more than a tenth of the objects' pixels is brighter than white; --exposure %.1f "
-                 "makes the brightest hundredth white\n",
-                 exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2));
+    print_note(
+        formatted("warning: more than a tenth of the objects' pixels is brighter than white; --exposure %.1f makes the "
+                  "brightest hundredth white",
+                  exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2)));
 }
 
 PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
@@ -86,14 +86,14 @@ void warn_of_weights(const PixelRules& rules) {
         sum.add(relative_weight_sum(*rule));
     }
     if (stability.mean > 2)
-        std::fprintf(stderr,
-                     "renderer: warning: the sizes of a rule's weights sum to %.3g times the known integral (usual: 1 "
-                     "to 1.3), so errors grow; take the default covariance, or --noise 0.1\n",
-                     stability.mean);
+        print_note(formatted(
+            "warning: the sizes of a rule's weights sum to %.3g times the known integral (usual: 1 to 1.3), so "
+            "errors grow; take the default covariance, or --noise 0.1",
+            stability.mean));
     else if (sum.mean < 0.5)
-        std::fprintf(stderr,
-                     "renderer: warning: a rule's weights sum to %.3g times the known integral (usual: 0.9 to 1), so "
-                     "the picture is too dark; take the default covariance and noise\n",
-                     sum.mean);
+        print_note(formatted(
+            "warning: a rule's weights sum to %.3g times the known integral (usual: 0.9 to 1), so the picture "
+            "is too dark; take the default covariance and noise",
+            sum.mean));
 }
 }  // namespace bmc

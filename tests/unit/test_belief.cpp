@@ -13,13 +13,13 @@ TEST_CASE("the discs show light, posterior mean, deviation and error, and the es
     const Vec3 w = place_directions(Placement::fibonacci, 1, random).directions[0];
     const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
     const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
-    CHECK(contains(printed, formatted("workbench: estimate %.4f, standard error %.4f, truth ", 0.5 * z / q, error)));
+    CHECK(contains(printed, formatted(": estimate %.4f, standard error %.4f, truth ", 0.5 * z / q, error)));
     const double truth = std::stod(printed.substr(printed.find("truth ") + 6));
     CHECK((truth > 1.5 && truth < pi));  // the sphere hides a part of the sky, which would have pi
 
     parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
     CHECK(contains(stderr_of([&] { belief.report(); }),
-                   formatted("workbench: estimate %.4f, ", 0.5 * SobolevKnownCosine().z(w.y) / q)));
+                   formatted(": estimate %.4f, ", 0.5 * SobolevKnownCosine().z(w.y) / q)));
 
     REQUIRE(picture.size() == header.size() + 3 * 800 * 200);
     const auto byte = [&](int x, int y) {

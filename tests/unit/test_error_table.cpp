@@ -78,7 +78,7 @@ TEST_CASE("the tables have a line for each number of samples; one that a process
     } catch (const Incomplete& incomplete) {
         output = incomplete.output + incomplete.what();
     }
-    CHECK(contains(output, "\nno Gaussian process with these samples: 50; the matrix of 50 samples is not positive"));
+    CHECK(contains(output, "\nno Gaussian process with these samples: 50; the matrix of 50 rows is not positive"));
     const auto rows = rows_of(output);
     REQUIRE(rows.size() == 4 * 3 + 1);
     CHECK((rows[0][0] == "4" && rows[1][0] == "1" && rows[1][3] != "-" && rows[2][3] == "-" && rows[2][5] == "-"));
