@@ -103,7 +103,7 @@ std::string Belief::report() const {
     const Sky sky(map, *covariance, process);
     const auto value = [&](Vec3 w) { return dot(luminance, sky.light(w)) * known_part(settings.known, w); };
     const Integrand integrand{"", "", value, 0};
-    const std::vector<double> values = sample(integrand, process.directions(), settings.known);
+    const std::vector<double> values = evaluate(integrand, process.directions(), settings.known);
     print_note(formatted("estimate %.4f, standard error %.4f, truth %.4f", process.integral(values),
                          process.standard_error(values), dense_quadrature(integrand)));
     Image image(4 * disc, disc);

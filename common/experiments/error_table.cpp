@@ -19,12 +19,12 @@ static double absolute_error(double estimate, double truth) {
 }
 
 // Adds the errors of the estimates e = 0, 1, ... of Monte Carlo, mc_estimates of them. Estimate e has the directions of
-// estimate_directions(settings, row.samples, e).
+// directions_of_estimate(settings, row.samples, e).
 // BEGIN SOLUTION table
 static void add_mc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
     for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
-        const QuadratureRule rule = monte_carlo_rule(estimate_directions(settings, row.samples, e));
-        row.mc.add(absolute_error(apply(rule, integrand), integrand.truth));
+        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate(settings, row.samples, e));
+        row.mc.add(absolute_error(estimate(rule, integrand), integrand.truth));
     }
 }
 // END SOLUTION
@@ -35,9 +35,9 @@ static void add_mc_errors(ErrorRow& row, const Integrand& integrand, const Error
 static void add_bmc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
     const auto covariance = settings.make_covariance();
     for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-        const DirectionSet set = estimate_directions(settings, row.samples, e);
+        const DirectionSet set = directions_of_estimate(settings, row.samples, e);
         const GaussianProcess process(*covariance, settings.noise, set.directions);
-        const std::vector<double> values = sample(integrand, set.directions, settings.known);
+        const std::vector<double> values = evaluate(integrand, set.directions, settings.known);
         row.bmc.add(absolute_error(process.integral(values), integrand.truth));
         row.predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
     }

@@ -21,22 +21,22 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
 }
 
 double dense_quadrature(const Integrand& integrand) {
-    return apply(monte_carlo_rule({fibonacci_directions(1 << 18)}), integrand);
+    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18)}), integrand);
 }
 
-std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
+std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> values;
     for (const Vec3& w : directions) values.push_back(integrand.value(w) / known_part(known, w));
     return values;
 }
 
-double apply(const QuadratureRule& rule, const Integrand& integrand) {
-    const std::vector<double> values = sample(integrand, rule.directions, rule.known);
+double estimate(const QuadratureRule& rule, const Integrand& integrand) {
+    const std::vector<double> values = evaluate(integrand, rule.directions, rule.known);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 
 // n and e select the random stream.
-DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e) {
+DirectionSet directions_of_estimate(const ModelSettings& settings, std::size_t n, std::size_t e) {
     Random random(settings.seed, (std::uint64_t{n} << 32) + e);
     return place_directions(settings.placement, n, random);
 }

@@ -29,12 +29,12 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
 double dense_quadrature(const Integrand& integrand);
 
 // The unknown factor of the integrand at each direction: its value divided by the known part.
-std::vector<double> sample(const Integrand& integrand, const std::vector<Vec3>& directions,
+std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions,
                            Known known = Known::nothing);
 
 // The rule's estimate of the integral.
-double apply(const QuadratureRule& rule, const Integrand& integrand);
+double estimate(const QuadratureRule& rule, const Integrand& integrand);
 
 // The directions of estimate number e with n samples: the same in every experiment with this placement and seed.
-DirectionSet estimate_directions(const ModelSettings& settings, std::size_t n, std::size_t e);
+DirectionSet directions_of_estimate(const ModelSettings& settings, std::size_t n, std::size_t e);
 }  // namespace bmc

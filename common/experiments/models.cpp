@@ -34,11 +34,11 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
     const auto covariance = model.make_covariance();
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
-        const GaussianProcess process(*covariance, model.noise, estimate_directions({}, samples, set).directions);
+        const GaussianProcess process(*covariance, model.noise, directions_of_estimate({}, samples, set).directions);
         RootMeanSquare error, predicted;
         Statistics evidence;
         for (const Integrand& integrand : integrands) {
-            const std::vector<double> values = sample(integrand, process.directions());
+            const std::vector<double> values = evaluate(integrand, process.directions());
             error.add(process.integral(values) - integrand.truth);
             predicted.add(process.standard_error(values));
             if (process.amplitude(values) > 0) evidence.add(log_evidence(process, values));  // zeros fit every model
@@ -53,9 +53,9 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
 RootMeanSquare monte_carlo_error(const std::vector<Integrand>& integrands, std::size_t samples) {
     RootMeanSquare all;
     for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule(estimate_directions({}, samples, set));
+        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate({}, samples, set));
         RootMeanSquare error;
-        for (const Integrand& integrand : integrands) error.add(apply(rule, integrand) - integrand.truth);
+        for (const Integrand& integrand : integrands) error.add(estimate(rule, integrand) - integrand.truth);
         all.add(error.value());
     }
     return all;
@@ -78,7 +78,7 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
             const Vec3 w = frame.to_world(local);
             return is_shadowed(scene, hit, w) ? 0 : dot(luminance, light->radiance(w)) * local.y;
         };
-        integrand.truth = apply(dense, integrand);
+        integrand.truth = estimate(dense, integrand);
         integrands.push_back(integrand);
     }
     return integrands;

@@ -35,7 +35,7 @@ static std::vector<double> stage_seconds(const Integrand& integrand, std::size_t
                                                [&] { return Cholesky(q).upper()(0, 0); },
                                                [&] { return z_of(covariance, directions).back(); },
                                                [&] { return cholesky.solve(z).back(); },
-                                               [&] { return apply(rule, integrand); },
+                                               [&] { return estimate(rule, integrand); },
                                                [&] { return z_by_sum(covariance, directions).back(); }};
     volatile double sink = 0;  // keeps the results, so that no stage is optimised away
     std::vector<double> seconds;
@@ -106,8 +106,8 @@ std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64
     for (const std::size_t n : {10u, 20u, 50u, 100u, 200u, 500u}) {
         RootMeanSquare error;
         for (std::size_t set = 0; set < std::clamp<std::size_t>(20000 / n, 50, 1000); ++set) {
-            const std::vector<Vec3> directions = estimate_directions(settings, n, set).directions;
-            error.add(apply(bayesian_rule(covariance, settings.noise, directions), integrand) - integrand.truth);
+            const std::vector<Vec3> directions = directions_of_estimate(settings, n, set).directions;
+            error.add(estimate(bayesian_rule(covariance, settings.noise, directions), integrand) - integrand.truth);
         }
         rows.push_back({n, deviation / std::sqrt(static_cast<double>(n)), error.value(), error.standard_error(), {}});
         if (timed) rows.back().seconds = stage_seconds(integrand, n);

@@ -8,15 +8,18 @@
 #include <vector>
 
 namespace bmc {
+// Of directions, w.r.t. solid angle: 1 / (2 pi), or cos(theta) / pi.
+enum class Density { uniform, cosine };
+
 // n independent directions. With cos(theta) = u, uniform in (0, 1], they are uniform w.r.t. solid angle: their density
-// is 1 / (2 pi) (Archimedes). by_cosine: with cos(theta) = sqrt(u) it is cos(theta) / pi (Malley's method). The cosine
-// is drawn first, then the azimuth.
-std::vector<Vec3> random_directions(std::size_t n, Random& random, bool by_cosine = false);
+// is 1 / (2 pi) (Archimedes). Density::cosine: with cos(theta) = sqrt(u) it is cos(theta) / pi (Malley's method). The
+// cosine is drawn first, then the azimuth.
+std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density = Density::uniform);
 
 // n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles
 // (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination integrals",
 // Computer Graphics Forum 2013, eq. 2).
-std::vector<Vec3> fibonacci_directions(std::size_t n, bool by_cosine = false);
+std::vector<Vec3> fibonacci_directions(std::size_t n, Density density = Density::uniform);
 
 // The direction turned about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);

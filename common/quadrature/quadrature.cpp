@@ -21,10 +21,11 @@ double stability_constant(const QuadratureRule& rule) {
 
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
     switch (placement) {
-        case Placement::uniform: return {random_directions(n, random), Known::nothing};
-        case Placement::cosine: return {random_directions(n, random, true), Known::cosine};
-        case Placement::fibonacci: return turned({fibonacci_directions(n), Known::nothing}, random);
-        case Placement::cosine_fibonacci: return turned({fibonacci_directions(n, true), Known::cosine}, random);
+        case Placement::uniform: return {random_directions(n, random), Density::uniform};
+        case Placement::cosine: return {random_directions(n, random, Density::cosine), Density::cosine};
+        case Placement::fibonacci: return turned({fibonacci_directions(n), Density::uniform}, random);
+        case Placement::cosine_fibonacci:
+            return turned({fibonacci_directions(n, Density::cosine), Density::cosine}, random);
     }
     throw std::logic_error("a placement without directions");
 }
@@ -32,8 +33,9 @@ DirectionSet place_directions(Placement placement, std::size_t n, Random& random
 // BEGIN SOLUTION montecarlo
 QuadratureRule monte_carlo_rule(DirectionSet set) {
     const std::size_t n = set.directions.size();
-    const double weight = known_integral(set.density) / static_cast<double>(n);
-    return {std::move(set.directions), std::vector<double>(n, weight), set.density};
+    const Known known = set.density == Density::cosine ? Known::cosine : Known::nothing;
+    const double weight = known_integral(known) / static_cast<double>(n);
+    return {std::move(set.directions), std::vector<double>(n, weight), known};
 }
 // END SOLUTION
 

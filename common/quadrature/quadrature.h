@@ -44,10 +44,10 @@ inline bool is_lattice(Placement placement) {
     return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
 }
 
-// Directions, and the known part that their density is proportional to.
+// Directions and their density.
 struct DirectionSet {
     std::vector<Vec3> directions;
-    Known density = Known::nothing;
+    Density density = Density::uniform;
 };
 
 // A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.

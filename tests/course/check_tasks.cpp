@@ -116,20 +116,21 @@ Directions directions_of(std::size_t n) {
 // ---- montecarlo
 
 void monte_carlo_rule_is_right() {
-    for (const Known density : {Known::nothing, Known::cosine})
+    for (const Density density : {Density::uniform, Density::cosine})
         for (const std::size_t n : sizes) {
             const Directions directions = directions_of(n);
             const QuadratureRule rule = monte_carlo_rule({directions, density});
             const std::string in =
-                formatted(density == Known::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
-            const double right = (density == Known::cosine ? 1 : 2) * std::acos(-1) / real(n);
+                formatted(density == Density::uniform ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
+            const double right = (density == Density::cosine ? 1 : 2) * std::acos(-1) / real(n);
             expect_size(in, "directions", rule.directions.size(), n);
             expect_size(in, "weights", rule.weights.size(), n);
             for (std::size_t i = 0; i < n; ++i) {
                 expect_direction(in + formatted("direction %zu", i), rule.directions[i], directions[i]);
                 expect(in + formatted("weight %zu", i), rule.weights[i], right, real(n), 1e-9);  // not of a float
             }
-            if (rule.known != density) wrong(in + "the rule's known part should be this density");
+            if ((rule.known == Known::cosine) != (density == Density::cosine))
+                wrong(in + "the rule's known part should be this density");
         }
 }
 
@@ -342,7 +343,7 @@ void add_mc_errors_is_right() {
     for_each_row([](const std::string& in, const ErrorSettings& settings, const Integrand& f, std::size_t n) {
         Statistics right;
         for (std::size_t e = 0; right.count < real(settings.mc_estimates); ++e)
-            right.add(std::fabs(apply(monte_carlo_rule(estimate_directions(settings, n, e)), f) - f.truth));
+            right.add(std::fabs(estimate(monte_carlo_rule(directions_of_estimate(settings, n, e)), f) - f.truth));
         expect_errors("errors " + in + "mc", error_row(f, n, settings).mc, right);
     });
 }
@@ -352,8 +353,8 @@ void add_bmc_errors_is_right() {
         Statistics errors, predicted;
         for (std::size_t e = 0; predicted.count < real(settings.bmc_estimates); ++e) {
             const GaussianProcess process(*settings.make_covariance(), settings.noise,
-                                          estimate_directions(settings, n, e).directions);
-            const Numbers y = sample(f, process.directions(), settings.known);
+                                          directions_of_estimate(settings, n, e).directions);
+            const Numbers y = evaluate(f, process.directions(), settings.known);
             errors.add(std::fabs(process.integral(y) - f.truth));
             predicted.add(process.standard_error(y) * std::sqrt(2 / pi));
         }

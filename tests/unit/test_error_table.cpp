@@ -14,10 +14,10 @@ TEST_CASE("errors are those of estimates on the same directions for both methods
     const ErrorRow row = row_of(cosine_integrand, 10, 3, 2);
     Statistics mc, bmc, predicted;
     for (std::size_t e = 0; e < 3; ++e) {
-        const std::vector<Vec3> directions = estimate_directions({}, 10, e).directions;
+        const std::vector<Vec3> directions = directions_of_estimate({}, 10, e).directions;
         const GaussianProcess process(Sobolev(), 0.01, directions);
-        const std::vector<double> values = sample(cosine_integrand, directions);
-        mc.add(std::fabs(apply(monte_carlo_rule({directions}), cosine_integrand) - pi));
+        const std::vector<double> values = evaluate(cosine_integrand, directions);
+        mc.add(std::fabs(estimate(monte_carlo_rule({directions}), cosine_integrand) - pi));
         if (e == 2) break;
         bmc.add(std::fabs(process.integral(values) - pi));
         predicted.add(std::sqrt(2 / pi) * process.standard_error(values));

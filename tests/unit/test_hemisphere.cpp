@@ -18,7 +18,8 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly: the c
     for (const bool by_cosine : {false, true}) {
         Random drawn(1, 0), here(1, 0);
         double counts[8][8] = {}, chi_square = 0;
-        for (const Vec3& d : by_cosine ? random_directions(64000, drawn, true) : random_directions(64000, drawn)) {
+        for (const Vec3& d :
+             by_cosine ? random_directions(64000, drawn, Density::cosine) : random_directions(64000, drawn)) {
             const double u = 1 - here.uniform();
             REQUIRE(close_to(d, direction_from(by_cosine ? std::sqrt(u) : u, 2 * pi * here.uniform())));
             REQUIRE(d.y > 0);
@@ -33,7 +34,7 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly: the c
 }
 
 TEST_CASE("a Fibonacci lattice has the cosines 1 - (i + 1/2) / n, or their roots, a golden angle apart") {
-    const std::vector<Vec3> uniform = fibonacci_directions(100), by_cosine = fibonacci_directions(100, true);
+    const std::vector<Vec3> uniform = fibonacci_directions(100), by_cosine = fibonacci_directions(100, Density::cosine);
     for (std::size_t i = 0; i < 100; ++i) {
         const double index = static_cast<double>(i), u = 1 - (index + 0.5) / 100,
                      azimuth = pi * (std::sqrt(5) - 1) * index;

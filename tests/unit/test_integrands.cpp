@@ -28,11 +28,11 @@ TEST_CASE("the integrand of a light is its luminance above a tilted surface, tim
 TEST_CASE("samples are values over the known part, a rule sums them with its weights; estimate e has its own stream") {
     const Integrand integrand{"", "", [](Vec3 w) { return 2 + w.x; }, 0};
     const std::vector<Vec3> directions{{0.6, 0.8, 0}, {0, 0.5, 0}};
-    CHECK(sample(integrand, directions) == std::vector<double>{2.6, 2});
-    CHECK(sample(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4});
-    CHECK(relative(apply({directions, {10, 100}, Known::cosine}, integrand), 432.5) < 1e-15);
+    CHECK(evaluate(integrand, directions) == std::vector<double>{2.6, 2});
+    CHECK(evaluate(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4});
+    CHECK(relative(estimate({directions, {10, 100}, Known::cosine}, integrand), 432.5) < 1e-15);
     ModelSettings settings;
     settings.seed = 9;
     Random random(9, (std::uint64_t{3} << 32) + 7);
-    CHECK(same(estimate_directions(settings, 3, 7).directions, random_directions(3, random)));
+    CHECK(same(directions_of_estimate(settings, 3, 7).directions, random_directions(3, random)));
 }

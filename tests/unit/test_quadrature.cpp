@@ -19,15 +19,14 @@ TEST_CASE("placements have names; each is its directions: random ones, or the la
         const DirectionSet placed = place_directions(placement, 10, drawn);
         const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
         const bool lattice = placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
-        std::vector<Vec3> expected = lattice  ? cosine ? fibonacci_directions(10, true) : fibonacci_directions(10)
-                                      : cosine ? random_directions(10, here, true)
-                                              : random_directions(10, here);
+        const Density density = cosine ? Density::cosine : Density::uniform;
+        std::vector<Vec3> expected = lattice ? fibonacci_directions(10, density) : random_directions(10, here, density);
         const double turns = lattice ? here.uniform() : 0;
         if (lattice)
             for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
         INFO(row.first);
         CHECK((is_lattice(placement) == lattice && same(placed.directions, expected) && drawn.bits() == here.bits()));
-        CHECK(placed.density == (cosine ? Known::cosine : Known::nothing));
+        CHECK(placed.density == density);
     }
 }
 
@@ -35,7 +34,8 @@ TEST_CASE("Monte Carlo has equal weights that sum to the integral of p, a Bayesi
     for (const Known known : {Known::nothing, Known::cosine})
         for (const std::size_t n : {1u, 3u, 40u}) {
             const auto k = covariance_of(CovarianceFamily::sobolev, 1.5, known);
-            const QuadratureRule mc = monte_carlo_rule({some_directions(n), known}),
+            const QuadratureRule mc = monte_carlo_rule(
+                                     {some_directions(n), known == Known::cosine ? Density::cosine : Density::uniform}),
                                  bayes = bayesian_rule(*k, 0.1, some_directions(n));
             CHECK((mc.known == known && bayes.known == known));
             CHECK((same(mc.directions, some_directions(n)) && same(bayes.directions, some_directions(n))));
