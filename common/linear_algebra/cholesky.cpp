@@ -12,16 +12,18 @@ double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
 }
 
 // BEGIN SOLUTION inverse
-// Computes U row by row. The innermost loop runs along a row, whose elements do not depend on each other.
+// As soon as row k of U is known, its products are subtracted from all rows below. The innermost loop runs along a row.
 static Matrix upper_factor(const Matrix& a) {
     const std::size_t n = a.rows();
-    Matrix u(n, n);
+    Matrix u = a;
     for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t j = k; j < n; ++j) u(k, j) = a(k, j);
-        for (std::size_t i = 0; i < k; ++i)
-            for (std::size_t j = k; j < n; ++j) u(k, j) -= u(i, k) * u(i, j);
         u(k, k) = root_of_pivot(a, k, u(k, k));
         for (std::size_t j = k + 1; j < n; ++j) u(k, j) /= u(k, k);
+        for (std::size_t i = k + 1; i < n; ++i) {
+            const double multiple = u(k, i);
+            u(i, k) = 0;
+            for (std::size_t j = i; j < n; ++j) u(i, j) -= multiple * u(k, j);
+        }
     }
     return u;
 }
