@@ -26,8 +26,8 @@ static std::string light_file() {
     const EnvironmentMap map = load_environment();
     Image image(map.width(), map.height());
     for (int y = 0; y < map.height(); ++y)
-        for (int x = 0; x < map.width(); ++x) image(x, y) = map.texel(map.texel_at(x, y));
-    return to_file(image, Format::pfm);
+        for (int x = 0; x < map.width(); ++x) image(x, y) = map.color(map.index(x, y));
+    return encode(image, Format::pfm);
 }
 
 static std::string run(int argc, char** argv) {

@@ -34,10 +34,10 @@ Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings,
     const Scene scene = sphere_scene();
     const Sun sun(environment, 4);  // with the edge of a disc, which a lattice would seldom meet
     const EnvironmentMap sky = sun.sky();
-    const Shade of_sky = reflected_environment(scene, sky, PixelRules(settings));
+    const Shader of_sky = environment_shader(scene, sky, PixelRules(settings));
     return render(scene, environment, settings, [&](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
-        const Color of_sun = light_of_sun(scene, sun, hit, sun.empty() ? 0 : samples, random).visible;
+        const Color of_sun = sample_sun(scene, sun, hit, sun.empty() ? 0 : samples, random).visible;
         return of_sky(hit, x, y) + sun.light() / (portable::pi * static_cast<double>(samples)) * (hit.albedo * of_sun);
     });
 }

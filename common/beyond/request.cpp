@@ -22,9 +22,9 @@ static Image grey_scale(Image errors, double white) {
 }
 
 Options Request::options() {
-    Options all = options_with(choice_option("known", known_factor_names, known, known_remark));
+    Options all = options_with(enum_option("known", known_factor_names, known, known_remark));
     all.push_back(real_option("rmse", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9));
-    all.push_back(choice_option("show", show_names, show, ": predicted errors, white at twice RMSE"));
+    all.push_back(enum_option("show", show_names, show, ": predicted errors, white at twice RMSE"));
     return all;
 }
 
@@ -47,9 +47,9 @@ Image Request::image(const EnvironmentMap& map) const {
     const Scene scene = sphere_scene();
     const PixelRules rules = rules_of(light, chosen);
     warn_of_weights(rules);
-    Image image = render(scene, map, chosen, shade_of(scene, light, chosen, rules));
+    Image image = render(scene, map, chosen, shader_of(scene, light, chosen, rules));
     if (show == Show::picture) return image;
-    Image errors = standard_errors(image, picture(light, second(chosen)));
+    Image errors = standard_errors(image, picture(light, with_next_seed(chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen, predicted, sun);
     if (format == Format::ppm) return grey_scale(std::move(errors), 2 * predicted);

@@ -75,7 +75,7 @@ double parse_real(const std::string& text, double low, double high) {
     throw std::invalid_argument("'" + text + formatted("' is not a number from %g to %g", low, high));
 }
 
-std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint64_t high) {
+std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uint64_t high) {
     std::uint64_t value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
@@ -95,7 +95,7 @@ int run_program(const char* name, const std::function<std::string()>& body) {
     try {
         try {
             write_all(body());
-        } catch (const Incomplete& incomplete) {
+        } catch (const PartialOutput& incomplete) {
             write_all(incomplete.output);
             throw;
         }

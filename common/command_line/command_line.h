@@ -13,10 +13,10 @@
 #include <vector>
 
 namespace bmc {
-// Incomplete output. It is printed all the same; the exit status is 1.
-struct Incomplete : std::runtime_error {
+// PartialOutput output. It is printed all the same; the exit status is 1.
+struct PartialOutput : std::runtime_error {
     std::string output;
-    Incomplete(std::string printed, const std::string& missing)
+    PartialOutput(std::string printed, const std::string& missing)
         : std::runtime_error(missing), output(std::move(printed)) {}
 };
 
@@ -60,7 +60,7 @@ std::string run_command(Command command, const std::string& usage, int argc, cha
 
 // The whole text as a number. Both throw std::invalid_argument unless it lies in [low, high].
 double parse_real(const std::string& text, double low, double high);
-std::uint64_t parse_whole(const std::string& text, std::uint64_t low, std::uint64_t high);
+std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uint64_t high);
 
 // An enumeration stands beside one table of its names, std::pair<const char*, T>[], which options and reports read.
 
@@ -90,8 +90,8 @@ const char* name_of(T wanted, const std::pair<const char*, T> (&table)[count]) {
 
 // Options that set a value: a named one, a text, a real number in [low, high], a whole number in [1, high].
 template <class T, std::size_t count>
-Option choice_option(const char* name, const std::pair<const char*, T> (&table)[count], T& value,
-                     const std::string& remark = "") {
+Option enum_option(const char* name, const std::pair<const char*, T> (&table)[count], T& value,
+                   const std::string& remark = "") {
     return {name, "NAME", names_of(table) + " (default " + name_of(value, table) + ")" + remark,
             [&](const std::string& text) { value = value_of(text, table); }};
 }
@@ -102,9 +102,9 @@ inline Option real_option(const char* name, const char* description, double& val
     return {name, "X", description, [=, &value](const std::string& text) { value = parse_real(text, low, high); }};
 }
 template <class T>
-Option whole_option(const char* name, const char* argument, const char* description, T& value, std::uint64_t high) {
+Option integer_option(const char* name, const char* argument, const char* description, T& value, std::uint64_t high) {
     return {name, argument, description,
-            [&value, high](const std::string& text) { value = static_cast<T>(parse_whole(text, 1, high)); }};
+            [&value, high](const std::string& text) { value = static_cast<T>(parse_integer(text, 1, high)); }};
 }
 
 // Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after std::invalid_argument,

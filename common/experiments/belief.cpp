@@ -39,7 +39,7 @@ public:
 
     Color light(Vec3 w) const {
         const Vec3 direction = Frame(hit_.normal).to_world(w);
-        return is_shadowed(scene_, hit_, direction) ? Color{} : map_.interpolated_radiance(direction);
+        return is_shadowed(scene_, hit_, direction) ? Color{} : map_.bilinear_radiance(direction);
     }
 
     // The colour at (u, v) of disc 0 to 3, of radius 1, v downwards. A disc is the hemisphere in Lambert's equal-area
@@ -67,7 +67,7 @@ private:
         std::vector<double> k;
         for (const Vec3& direction : process_.directions()) k.push_back(covariance_.k(squared_distance(w, direction)));
         if (number == 2) {
-            const std::vector<double> y = process_.cholesky().solve_lower(k);
+            const std::vector<double> y = process_.cholesky().forward_substitution(k);
             const double explained = std::inner_product(y.begin(), y.end(), y.begin(), 0.0);
             return error_scale * amplitude_ * std::sqrt(std::fmax(covariance_.k(0) - explained, 0)) * white;
         }
@@ -88,7 +88,7 @@ private:
 }  // namespace
 
 Options Belief::options() {
-    return joined({Options{whole_option("samples", "N", "directions of the process (default 40)", samples, 400),
+    return joined({Options{integer_option("samples", "N", "directions of the process (default 40)", samples, 400),
                            text_option("environment", "FILE", environment_help, environment)},
                    model_options(settings)});
 }
@@ -105,7 +105,7 @@ std::string Belief::report() const {
     const Integrand integrand{"", "", value, 0};
     const std::vector<double> values = evaluate(integrand, process.directions(), settings.known);
     print_note(formatted("estimate %.4f, standard error %.4f, truth %.4f", process.integral(values),
-                         process.standard_error(values), dense_quadrature(integrand)));
+                         process.standard_error(values), reference_integral(integrand)));
     Image image(4 * disc, disc);
     for_each_row(disc, threads, [&](int y) {
         for (int i = 0; i < subpixels * subpixels * image.width; ++i) {
@@ -115,6 +115,6 @@ std::string Belief::report() const {
             image(x, y) += 1.0 / (subpixels * subpixels) * sky.color(x / disc, 2 * u / disc - 1, 2 * v / disc - 1);
         }
     });
-    return to_file(image, Format::ppm);
+    return encode(image, Format::ppm);
 }
 }  // namespace bmc

@@ -8,7 +8,7 @@ static std::vector<std::size_t> parse_samples(const std::string& text) {
     std::vector<std::size_t> numbers;
     std::istringstream words(text + ',');
     for (std::string word; std::getline(words, word, ',');)
-        numbers.push_back(static_cast<std::size_t>(parse_whole(word, 1, max_process_samples)));
+        numbers.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
     return numbers;
 }
 
@@ -91,10 +91,10 @@ Options ErrorTables::options() {
                                        "cosine, cosine-cubed, environment or constant (default all)", integrand),
                            {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
                             [this](const std::string& text) { settings.samples = parse_samples(text); }},
-                           whole_option("mc-estimates", "M", "estimates of MC in a mean error (default 100)",
-                                        settings.mc_estimates, 100000),
-                           whole_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)",
-                                        settings.bmc_estimates, 100000)},
+                           integer_option("mc-estimates", "M", "estimates of MC in a mean error (default 100)",
+                                          settings.mc_estimates, 100000),
+                           integer_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)",
+                                          settings.bmc_estimates, 100000)},
                    model_options(settings)});
 }
 
@@ -111,7 +111,8 @@ std::string ErrorTables::report() const {
             reason = row.refusal;
         }
     }
-    if (!refused.empty()) throw Incomplete(text, "no Gaussian process with these samples:" + refused + "; " + reason);
+    if (!refused.empty())
+        throw PartialOutput(text, "no Gaussian process with these samples:" + refused + "; " + reason);
     return text;
 }
 }  // namespace bmc

@@ -39,6 +39,6 @@ struct ErrorTables {
     ErrorSettings settings;
 
     Options options();
-    std::string report() const;  // throws Incomplete if a process is refused
+    std::string report() const;  // throws PartialOutput if a process is refused
 };
 }  // namespace bmc

@@ -16,11 +16,11 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
     const Frame frame(normalize({0.3, 0.6, -0.7}));
     Integrand integrand{"environment", "L(w) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
     integrand.value = [=](Vec3 w) { return dot(luminance, light->radiance(frame.to_world(w))) * w.y; };
-    integrand.truth = dense_quadrature(integrand);
+    integrand.truth = reference_integral(integrand);
     return integrand;
 }
 
-double dense_quadrature(const Integrand& integrand) {
+double reference_integral(const Integrand& integrand) {
     return estimate(monte_carlo_rule({fibonacci_directions(1 << 18)}), integrand);
 }
 

@@ -22,15 +22,15 @@ std::vector<Integrand> practice_integrands();
 
 constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
 
-// The luminance of a light times cos(theta) above a tilted surface. Its truth is dense_quadrature.
+// The luminance of a light times cos(theta) above a tilted surface. Its truth is reference_integral.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);
 
 // The integral by 2^18 directions on the Fibonacci lattice.
-double dense_quadrature(const Integrand& integrand);
+double reference_integral(const Integrand& integrand);
 
 // The unknown factor of the integrand at each direction: its value divided by the known part.
 std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions,
-                           Known known = Known::nothing);
+                             Known known = Known::nothing);
 
 // The rule's estimate of the integral.
 double estimate(const QuadratureRule& rule, const Integrand& integrand);

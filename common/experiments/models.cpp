@@ -93,7 +93,7 @@ double log_evidence(const GaussianProcess& process, const std::vector<double>& v
 
 Options ModelsReport::options() {
     return {text_option("environment", "FILE", environment_help, environment),
-            whole_option("samples", "N", "directions of a process (default 40)", samples, 400)};
+            integer_option("samples", "N", "directions of a process (default 40)", samples, 400)};
 }
 
 std::string ModelsReport::report() const {

@@ -13,7 +13,7 @@ static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettin
     settings.threads = 1;
     const auto seconds_at = [&](int side) {
         settings.width = settings.height = side;
-        return seconds_of([&] { picture.image(settings); });
+        return time_call([&] { picture.image(settings); });
     };
     double pixels = 0;
     for_each_hit(sphere_scene(), {64, 64}, [&](int, int, const Hit&) { ++pixels; });
@@ -35,9 +35,9 @@ static PictureCost picture_cost(const ComparedPicture& picture, RenderSettings s
 
 Options cost_options(CostSettings& costs) {
     return {{"size", "W", "of the pictures, W x W pixels (default 64)",
-             [&](const std::string& text) { costs.size = static_cast<int>(parse_whole(text, 2, 1024)); }},
+             [&](const std::string& text) { costs.size = static_cast<int>(parse_integer(text, 2, 1024)); }},
             {"seed", "K", "seed of the random numbers (default 1)",
-             [&](const std::string& text) { costs.seed = parse_whole(text, 0, UINT64_MAX); }},
+             [&](const std::string& text) { costs.seed = parse_integer(text, 0, UINT64_MAX); }},
             {"no-times", "", "leaves out what is measured and differs from run to run",
              [&](const std::string&) { costs.timed = false; }}};
 }
@@ -90,7 +90,7 @@ std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light, bool
     return list;
 }
 
-double seconds_of(const std::function<void()>& action) {
+double time_call(const std::function<void()>& action) {
     double fewest = HUGE_VAL;
     for (int runs = 0, calls = 1; runs < 4;) {
         const auto start = std::chrono::steady_clock::now();

@@ -44,7 +44,7 @@ ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std
 std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light, bool all = false);
 
 // The seconds of one call: the least of four measurements, which take at least 2 ms each.
-double seconds_of(const std::function<void()>& action);
+double time_call(const std::function<void()>& action);
 
 // Each of the pictures with each number of samples. Throws std::runtime_error if nothing is lit in the truth: then
 // there is nothing to compare.

@@ -1,7 +1,7 @@
 #include "experiments/picture_error.h"
 
 namespace bmc {
-Image dense_truth(const EnvironmentMap& light, RenderSettings settings, std::size_t samples) {
+Image reference_image(const EnvironmentMap& light, RenderSettings settings, std::size_t samples) {
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = samples;

@@ -5,7 +5,7 @@
 
 namespace bmc {
 // The picture by this number of directions on a lattice. Size, seed and threads are those of the settings.
-Image dense_truth(const EnvironmentMap& light, RenderSettings settings, std::size_t samples);
+Image reference_image(const EnvironmentMap& light, RenderSettings settings, std::size_t samples);
 
 // The error of an image, over the pixels that show an object.
 struct ImageError {

@@ -73,7 +73,7 @@ Samples read_samples(std::istream& in) {
 
 Options RuleReport::options() {
     return joined(
-        {Options{whole_option("samples", "N", "directions of the rule (default 40)", samples, max_process_samples),
+        {Options{integer_option("samples", "N", "directions of the rule (default 40)", samples, max_process_samples),
                  text_option("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)",
                              directions),
                  {"matrices", "", "prints Q and its inverse, too", [this](const std::string&) { matrices = true; }}},

@@ -39,14 +39,14 @@ static std::vector<double> stage_seconds(const Integrand& integrand, std::size_t
                                                [&] { return z_by_sum(covariance, directions).back(); }};
     volatile double sink = 0;  // keeps the results, so that no stage is optimised away
     std::vector<double> seconds;
-    for (const auto& action : actions) seconds.push_back(seconds_of([&] { sink = action(); }));
+    for (const auto& action : actions) seconds.push_back(time_call([&] { sink = action(); }));
     return seconds;
 }
 
 // The standard deviation of 2 pi f(w) for a uniform direction w.
 static double standard_deviation(const Integrand& integrand) {
     const Integrand square{"", "", [&](Vec3 w) { return integrand.value(w) * integrand.value(w); }, 0};
-    return std::sqrt(2 * portable::pi * dense_quadrature(square) - integrand.truth * integrand.truth);
+    return std::sqrt(2 * portable::pi * reference_integral(square) - integrand.truth * integrand.truth);
 }
 
 static std::string costly_operation(const IntegralCost& row) {
@@ -134,7 +134,7 @@ std::string TradeoffReport::report() const {
         if (text.empty())
             text = "# What an integral costs: " + name + " above a tilted surface, Sobolev 3/2, noise 0.01.\n" +
                    integral_report(integral_costs(environment_integrand(light), costs.seed, costs.timed), costs.timed);
-        const Image truth = dense_truth(*light, row_settings(costs, {}, 0), 10000);
+        const Image truth = reference_image(*light, row_settings(costs, {}, 0), 10000);
         text +=
             formatted("\n\n# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
             name + ".\n" + meaning + (costs.timed ? measured : "") +

@@ -31,7 +31,7 @@ public:
     // A black map, for whoever paints it: finite radiance >= 0.
     EnvironmentMap(int width, int height);
     void set(int x, int y, Color radiance) {
-        float* rgb = &rgb_[3 * static_cast<std::size_t>(texel_at(x, y))];
+        float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
         for (const double channel : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(channel);
     }
 
@@ -41,8 +41,8 @@ public:
 
     // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the
     // shadow.
-    int texel_at(int x, int y) const { return 1 + y * width() + x; }
-    Color texel(int i) const {
+    int index(int x, int y) const { return 1 + y * width() + x; }
+    Color color(int i) const {
         const float* rgb = &rgb_[3 * static_cast<std::size_t>(i)];
         return {rgb[0], rgb[1], rgb[2]};
     }
@@ -50,17 +50,17 @@ public:
     // The number of the texel that a direction of unit length meets. This runs for every ray: it is arithmetic without
     // a branch, which a compiler computes for several rays at once. Rounding can carry u or v past 0 or 1, and the
     // conversion to int drops that error. The polynomials err by 4e-6 of a texel in a map 1024 wide.
-    int texel_index(Vec3 direction) const {
-        return texel_at(static_cast<int>(grid_.column(direction.x, direction.z)),
-                        static_cast<int>(grid_.row(direction.y)));
+    int index(Vec3 direction) const {
+        return index(static_cast<int>(grid_.column(direction.x, direction.z)),
+                     static_cast<int>(grid_.row(direction.y)));
     }
 
     // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
-    Color radiance(Vec3 direction) const { return texel(texel_index(direction)); }
+    Color radiance(Vec3 direction) const { return color(index(direction)); }
 
     // The same interpolated between the centres of the four nearest texels: for the background, where an eye would see
     // their edges.
-    Color interpolated_radiance(Vec3 direction) const;
+    Color bilinear_radiance(Vec3 direction) const;
 
 private:
     TexelGrid grid_;

@@ -34,7 +34,7 @@ Cholesky::Cholesky(const Matrix& a) : upper_(0, 0) {
     upper_ = upper_factor(a);
 }
 
-std::vector<double> Cholesky::solve_lower(std::vector<double> b) const {
+std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const {
     if (b.size() != size()) throw std::invalid_argument("cholesky: the right-hand side must have one element per row");
     for (std::size_t k = 0; k < size(); ++k) {
         b[k] /= upper_(k, k);
@@ -44,7 +44,7 @@ std::vector<double> Cholesky::solve_lower(std::vector<double> b) const {
 }
 
 std::vector<double> Cholesky::solve(std::vector<double> b) const {
-    std::vector<double> x = solve_lower(std::move(b));
+    std::vector<double> x = forward_substitution(std::move(b));
     for (std::size_t k = size(); k-- > 0;) {
         for (std::size_t j = size() - 1; j > k; --j) x[k] -= upper_(k, j) * x[j];
         x[k] /= upper_(k, k);

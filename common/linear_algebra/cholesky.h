@@ -28,7 +28,7 @@ public:
     const Matrix& upper() const { return upper_; }
 
     // y with L y = b, the first half of a solution: |y|^2 = b^T A^-1 b. b has n elements.
-    std::vector<double> solve_lower(std::vector<double> b) const;
+    std::vector<double> forward_substitution(std::vector<double> b) const;
 
     // x with A x = b. b has n elements.
     std::vector<double> solve(std::vector<double> b) const;

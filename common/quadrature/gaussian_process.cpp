@@ -69,7 +69,7 @@ double GaussianProcess::integral(const std::vector<double>& values) const { retu
 // END SOLUTION
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    const std::vector<double> y = cholesky_.solve_lower(values);  // L y = Y, so |y|^2 = Y^T Q^-1 Y
+    const std::vector<double> y = cholesky_.forward_substitution(values);  // L y = Y, so |y|^2 = Y^T Q^-1 Y
     return std::sqrt(sum_of_products(y, y) / static_cast<double>(values.size()));
 }
 }  // namespace bmc

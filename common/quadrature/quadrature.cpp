@@ -1,7 +1,7 @@
 #include "quadrature/quadrature.h"
 
 namespace bmc {
-static DirectionSet turned(DirectionSet set, Random& random) {
+static DirectionSet rotated(DirectionSet set, Random& random) {
     const double turns = random.uniform();
     for (Vec3& direction : set.directions) direction = rotate_around_y(direction, turns);
     return set;
@@ -23,9 +23,9 @@ DirectionSet place_directions(Placement placement, std::size_t n, Random& random
     switch (placement) {
         case Placement::uniform: return {random_directions(n, random), Density::uniform};
         case Placement::cosine: return {random_directions(n, random, Density::cosine), Density::cosine};
-        case Placement::fibonacci: return turned({fibonacci_directions(n), Density::uniform}, random);
+        case Placement::fibonacci: return rotated({fibonacci_directions(n), Density::uniform}, random);
         case Placement::cosine_fibonacci:
-            return turned({fibonacci_directions(n, Density::cosine), Density::cosine}, random);
+            return rotated({fibonacci_directions(n, Density::cosine), Density::cosine}, random);
     }
     throw std::logic_error("a placement without directions");
 }

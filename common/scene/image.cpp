@@ -10,7 +10,7 @@ namespace bmc {
 // of 1 / 4096 holds at most one such threshold: the byte where the step begins and one comparison decide.
 static std::string to_ppm(const Image& image) {
     std::vector<double> thresholds;  // of the bytes 1 to 255, and a last one above all values
-    for (int k = 1; k < 256; ++k) thresholds.push_back(srgb_decoded((k - 0.5) / 255));
+    for (int k = 1; k < 256; ++k) thresholds.push_back(srgb_to_linear((k - 0.5) / 255));
     thresholds.push_back(2);
     std::vector<unsigned char> first;  // the byte of step / 4096
     for (int step = 0; step <= 4096; ++step)
@@ -38,9 +38,11 @@ static std::string to_pfm(const Image& image) {
     return bytes;
 }
 
-double srgb_decoded(double code) { return code <= 0.04045 ? code / 12.92 : portable::pow((code + 0.055) / 1.055, 2.4); }
+double srgb_to_linear(double code) {
+    return code <= 0.04045 ? code / 12.92 : portable::pow((code + 0.055) / 1.055, 2.4);
+}
 
-std::string to_file(const Image& image, Format format) {
+std::string encode(const Image& image, Format format) {
     switch (format) {
         case Format::ppm: return to_ppm(image);
         case Format::pfm: return to_pfm(image);

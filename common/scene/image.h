@@ -22,7 +22,7 @@ struct Image {
 };
 
 // The linear value in [0, 1] of a code in [0, 1]: the inverse of the sRGB transfer function (IEC 61966-2-1).
-double srgb_decoded(double code);
+double srgb_to_linear(double code);
 
 enum class Format { ppm, pfm };
 constexpr std::pair<const char*, Format> format_names[] = {{"ppm", Format::ppm}, {"pfm", Format::pfm}};
@@ -30,5 +30,5 @@ constexpr std::pair<const char*, Format> format_names[] = {{"ppm", Format::ppm},
 // The image as a file.
 // - ppm: binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].
 // - pfm: PFM ("PF"), 32-bit linear floats, little-endian (the header's -1), bottom row first as the format asks.
-std::string to_file(const Image& image, Format format);
+std::string encode(const Image& image, Format format);
 }  // namespace bmc

@@ -7,7 +7,7 @@
 
 namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {
-    const auto side = [](const std::string& number) { return static_cast<int>(parse_whole(number, 1, 8192)); };
+    const auto side = [](const std::string& number) { return static_cast<int>(parse_integer(number, 1, 8192)); };
     const std::size_t cross = text.find('x');
     settings.width = side(text.substr(0, cross));
     settings.height = cross == std::string::npos ? settings.width : side(text.substr(cross + 1));
@@ -33,22 +33,22 @@ static void warn_of_exposure(const Image& image, double exposure) {
 PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
 
 Options PictureRequest::options() {
-    return options_with(choice_option("known", known_names, settings.known, known_remark));
+    return options_with(enum_option("known", known_names, settings.known, known_remark));
 }
 
 Options PictureRequest::options_with(const Option& known) {
     return joined(
-        {Options{choice_option("method", method_names, settings.method),
-                 whole_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
-                 whole_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)},
+        {Options{enum_option("method", method_names, settings.method),
+                 integer_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
+                 integer_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)},
          model_options(settings, known),
-         Options{
-             {"size", "WxH", "in pixels, or W for a square (default 500x500)",
-              [this](const std::string& text) { set_size(settings, text); }},
-             text_option("environment", "FILE", environment_help, environment),
-             real_option("exposure", "stops by which a PPM is brighter (default 0)", exposure, -100, 100),
-             choice_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
-             whole_option("threads", "T", "changes the time only (default: all processors)", settings.threads, 256)}});
+         Options{{"size", "WxH", "in pixels, or W for a square (default 500x500)",
+                  [this](const std::string& text) { set_size(settings, text); }},
+                 text_option("environment", "FILE", environment_help, environment),
+                 real_option("exposure", "stops by which a PPM is brighter (default 0)", exposure, -100, 100),
+                 enum_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
+                 integer_option("threads", "T", "changes the time only (default: all processors)", settings.threads,
+                                256)}});
 }
 
 void PictureRequest::require_possible() const {
@@ -62,7 +62,7 @@ Image PictureRequest::image(const EnvironmentMap& light) const {
     const Scene scene = sphere_scene();
     const PixelRules rules(settings);
     warn_of_weights(rules);
-    return render(scene, light, settings, reflected_environment(scene, light, rules));
+    return render(scene, light, settings, environment_shader(scene, light, rules));
 }
 
 std::string PictureRequest::file(Image image) const {
@@ -71,7 +71,7 @@ std::string PictureRequest::file(Image image) const {
         for (Color& pixel : image.pixels) pixel = factor * pixel;
         warn_of_exposure(image, exposure);
     }
-    return to_file(image, format);
+    return encode(image, format);
 }
 
 void warn_of_weights(const PixelRules& rules) {

@@ -46,7 +46,7 @@ std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) con
                                        : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions))));
 }
 
-PlacedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
+OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
     const Frame frame(normal);
     switch (settings_.method) {
         case Method::mc: {

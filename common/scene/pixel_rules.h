@@ -30,7 +30,7 @@ struct RenderSettings : ModelSettings {
 Random pixel_stream(const RenderSettings& settings, int x, int y);
 
 // The rule of a pixel, made for it alone or shared, and the frame that carries it to the surface.
-struct PlacedRule {
+struct OrientedRule {
     Frame frame;
     std::shared_ptr<const QuadratureRule> rule;
 };
@@ -51,7 +51,7 @@ public:
     std::shared_ptr<const QuadratureRule> fresh_rule(Random& random) const;
 
     // The rule of a pixel, from the pixel's random stream.
-    PlacedRule rule_for(Vec3 normal, Random& random) const;
+    OrientedRule rule_for(Vec3 normal, Random& random) const;
 
 private:
     SharedRules shared_rules() const;

@@ -14,16 +14,16 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
 // BEGIN SOLUTION shade
 // First it finds the texel of each ray, the black one in the shadow. This loop has no branch, so a processor computes
 // several rays at once. Then it sums.
-Color reflected_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const QuadratureRule& rule,
-                      const Frame& frame) {
+Color reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
+                         const QuadratureRule& rule, const Frame& frame) {
     std::vector<int> texels(rule.size());
     for (std::size_t i = 0; i < rule.size(); ++i) {
         const Vec3 direction = frame.to_world(rule.directions[i]);
         const bool visible = !is_shadowed(scene, hit, direction);
-        texels[i] = visible * environment.texel_index(direction);
+        texels[i] = visible * environment.index(direction);
     }
     Color irradiance;
-    for (std::size_t i = 0; i < rule.size(); ++i) irradiance += rule.weights[i] * environment.texel(texels[i]);
+    for (std::size_t i = 0; i < rule.size(); ++i) irradiance += rule.weights[i] * environment.color(texels[i]);
     return 1 / portable::pi * (hit.albedo * irradiance);
 }
 // END SOLUTION

@@ -13,6 +13,6 @@ namespace bmc {
 QuadratureRule cosine_rule(QuadratureRule rule);
 
 // L_o, linear RGB, by a rule with the known part cos(theta), which the frame carries to the surface.
-Color reflected_light(const Scene& scene, const EnvironmentMap& environment, const Hit& hit, const QuadratureRule& rule,
-                      const Frame& frame);
+Color reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
+                         const QuadratureRule& rule, const Frame& frame);
 }  // namespace bmc

@@ -8,14 +8,14 @@
 
 namespace bmc {
 // The colour of a point that the camera sees in column x of row y. Several threads call it at once.
-using Shade = std::function<Color(const Hit&, int x, int y)>;
+using Shader = std::function<Color(const Hit&, int x, int y)>;
 
 // L_o, linear RGB, by these rules. Scene and environment must outlive it.
-Shade reflected_environment(const Scene& scene, const EnvironmentMap& environment, const PixelRules& rules);
+Shader environment_shader(const Scene& scene, const EnvironmentMap& environment, const PixelRules& rules);
 
 // The image of these colours, with the size and the threads of the settings. A pixel that shows no object shows the
 // background.
-Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shade& shade);
+Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shader& shade);
 
 // The sphere scene in this light. Throws what the Gaussian processes throw.
 Image picture(const EnvironmentMap& light, const RenderSettings& settings);

@@ -266,7 +266,7 @@ void for_each_process(Function f) {
 
 void bayesian_weights_is_right() {
     for_each_process([](const std::string& in, const Covariance&, const GaussianProcess& process) {
-        const Numbers &z = process.z(), &w = process.weights(), half = process.cholesky().solve_lower(z);
+        const Numbers &z = process.z(), &w = process.weights(), half = process.cholesky().forward_substitution(z);
         const Matrix inverse = process.inverse_covariance();
         expect_size(in, "weights", w.size(), z.size());
         for (std::size_t i = 0; i < z.size(); ++i) {
@@ -412,7 +412,7 @@ void reflected_light_is_right() {
             open += light;
             if (!is_shadowed(scene, hit, frame.to_world(w))) right += light;
         }
-        const Color came = reflected_light(scene, map, hit, rule, frame);
+        const Color came = reflected_radiance(scene, map, hit, rule, frame);
         const std::string in = std::string("at a point of the ") +
                                (hit.object == Object::sphere ? "sphere" : "rectangle") + " with the normal " +
                                text(hit.normal) + ": ";
@@ -516,7 +516,7 @@ void rule_for_is_right() {
             const std::uint64_t pixel = static_cast<std::uint64_t>(1e6 * direction.y);
             Random random(seed, pixel), copy(seed, pixel);
             const std::string in = "the normal " + text(normal) + formatted(", n = %zu: ", n);
-            const PlacedRule came = rules.rule_for(normal, random);
+            const OrientedRule came = rules.rule_for(normal, random);
             if (!came.rule) {
                 wrong(in + "there is no rule");
                 continue;
@@ -553,7 +553,7 @@ const std::map<std::string, std::vector<std::pair<const char*, void (*)()>>> tas
       {"posterior_variance", posterior_variance_is_right},
       {"integral", integral_is_right}}},
     {"table", {{"add_mc_errors", add_mc_errors_is_right}, {"add_bmc_errors", add_bmc_errors_is_right}}},
-    {"shade", {{"cosine_rule", cosine_rule_is_right}, {"reflected_light", reflected_light_is_right}}},
+    {"shade", {{"cosine_rule", cosine_rule_is_right}, {"reflected_radiance", reflected_light_is_right}}},
     {"rotate", {{"rotate_around_y", rotate_around_y_is_right}, {"rotated", rotated_is_right}}},
     {"shared_rules", {{"shared_rules", shared_rules_is_right}}},
     {"rule_for",

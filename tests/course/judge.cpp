@@ -32,13 +32,13 @@ struct Number {
 Image stored(Image image, const PictureRequest& request) {
     const double factor = request.format == Format::ppm ? portable::pow(2, request.exposure) : 1;
     for (Color& pixel : image.pixels) pixel = factor * pixel;
-    return linear_light(*parse_picture(to_file(image, request.format)));
+    return linear_light(*parse_picture(encode(image, request.format)));
 }
 
 Image rendered(const EnvironmentMap& light, const PictureRequest& request) {
     const Scene scene = sphere_scene();
     const PixelRules rules(request.settings);
-    return stored(render(scene, light, request.settings, reflected_environment(scene, light, rules)), request);
+    return stored(render(scene, light, request.settings, environment_shader(scene, light, rules)), request);
 }
 
 // A picture nearly without noise.

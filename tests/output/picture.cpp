@@ -54,6 +54,6 @@ bmc::Image linear_light(const Picture& picture) {
     bmc::Image light = picture.values;
     if (picture.format == bmc::Format::pfm) return light;
     for (bmc::Color& c : light.pixels)
-        c = {bmc::srgb_decoded(c.x / 255), bmc::srgb_decoded(c.y / 255), bmc::srgb_decoded(c.z / 255)};
+        c = {bmc::srgb_to_linear(c.x / 255), bmc::srgb_to_linear(c.y / 255), bmc::srgb_to_linear(c.z / 255)};
     return light;
 }

@@ -26,7 +26,7 @@ TEST_CASE("the discs show light, posterior mean, deviation and error, and the es
         return static_cast<unsigned char>(picture[header.size() + 3 * static_cast<std::size_t>(800 * y + x)]);
     };
     const auto shows = [&](int x, int y, double linear) {  // within about a unit: a pixel is a mean of 9 places
-        return std::fabs(srgb_decoded(byte(x, y) / 255.0) - std::min(linear, 1.0)) < 0.01;
+        return std::fabs(srgb_to_linear(byte(x, y) / 255.0) - std::min(linear, 1.0)) < 0.01;
     };
     int visible = 0;
     for (const auto& [x, y] : {std::pair(100, 100), {60, 90}, {150, 120}, {90, 30}, {100, 175}, {30, 140}}) {

@@ -44,7 +44,7 @@ TEST_CASE("U is upper triangular, U^T U = A, A x = b, A A^-1 = I and |y|^2 = b^T
             for (std::size_t j = 0; j < i; ++j) CHECK(cholesky.upper()(i, j) == 0);
         }
         const std::vector<double> right(&b(0, 0), &b(0, 0) + n), solved = cholesky.solve(right),
-                                                                 y = cholesky.solve_lower(right);
+                                                                 y = cholesky.forward_substitution(right);
         double x_norm = 0, form = 0;
         for (std::size_t i = 0; i < n; ++i) {
             x(i, 0) = solved[i];
@@ -80,5 +80,5 @@ TEST_CASE("a matrix that is singular, indefinite or of no numbers is refused, wi
         }
     CHECK_THROWS_AS(Cholesky(Matrix(2, 3)), std::invalid_argument);
     CHECK_THROWS_AS(Cholesky(a).solve({1}), std::invalid_argument);
-    CHECK_THROWS_AS(Cholesky(a).solve_lower({1, 2, 3}), std::invalid_argument);
+    CHECK_THROWS_AS(Cholesky(a).forward_substitution({1, 2, 3}), std::invalid_argument);
 }

@@ -7,7 +7,7 @@ TEST_CASE("options take values in both spellings and leave the rest; a mistake n
     int whole = 0, flags = 0;
     const Options options =
         joined({Options{text_option("text", "X", "", text), real_option("real", "", real, -1, 2.5)},
-                Options{whole_option("whole", "N", "", whole, 4096),
+                Options{integer_option("whole", "N", "", whole, 4096),
                         {"flag", "", "", [&](const std::string& none) { flags += none.empty(); }}}});
     CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--whole", "4096", "-flag"}, options) ==
           std::vector<std::string>{"rest"});
@@ -27,10 +27,10 @@ TEST_CASE("numbers are read entirely or not at all") {
     CHECK((parse_real("0.25", 0, 1) == 0.25 && parse_real("0", 0, 1) == 0 && parse_real("1", 0, 1) == 1));
     for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "1e400", "-1", "2", "0,5"})
         CHECK_THROWS_AS(parse_real(text, 0, 1), std::invalid_argument);
-    CHECK((parse_whole("1", 1, 20) == 1 && parse_whole("20", 1, 20) == 20));
-    CHECK(parse_whole("18446744073709551615", 0, UINT64_MAX) == UINT64_MAX);
+    CHECK((parse_integer("1", 1, 20) == 1 && parse_integer("20", 1, 20) == 20));
+    CHECK(parse_integer("18446744073709551615", 0, UINT64_MAX) == UINT64_MAX);
     for (const char* text : {"", "0", "21", "1.5", "1e1", "18446744073709551617", "-1", "0x10", " 17", "17 "})
-        CHECK_THROWS_AS(parse_whole(text, 1, 20), std::invalid_argument);
+        CHECK_THROWS_AS(parse_integer(text, 1, 20), std::invalid_argument);
 }
 
 TEST_CASE("a choice is one of the names of a table, which the help lists") {
@@ -43,7 +43,7 @@ TEST_CASE("a choice is one of the names of a table, which the help lists") {
     CHECK_THROWS_WITH_AS(value_of("d", table), "'d' is not b, a or c", std::invalid_argument);
     CHECK(std::string(name_of(Letter::c, table)) == "c");
     Letter letter = Letter::b;
-    const Option choice = choice_option("letter", table, letter, "; a remark");
+    const Option choice = enum_option("letter", table, letter, "; a remark");
     CHECK(describe({choice}) == "  --letter NAME        b, a or c (default b); a remark\n");
     choice.set("c");
     CHECK(letter == Letter::c);

@@ -9,8 +9,8 @@ TEST_CASE("the desert's radiances lie in [0, 1], and the bright desert has but a
     double least = 1, most = 0;
     int wrong = 0;
     for (int i = 0; i < 1023 * 511; ++i) {
-        const int x = i % 1023, y = i / 1023, texel = desert.texel_at(x, y);
-        const Color a = desert.texel(texel), b = bright.texel(texel);
+        const int x = i % 1023, y = i / 1023, texel = desert.index(x, y);
+        const Color a = desert.color(texel), b = bright.color(texel);
         const double to_sun = dot(towards((x + 0.5) / 1023, (y + 0.5) / 511), sun);
         wrong += to_sun < std::cos(pi / 30) && !same(a, b);         // beyond 6 degrees
         wrong += to_sun > std::cos(pi / 45) && !(b.x > 900 * a.x);  // within 4 degrees
@@ -29,7 +29,7 @@ TEST_CASE("black and white is light from every direction with x > 0, and none fr
 TEST_CASE("a light from a file has the file's texels, and an error names the file") {
     const TemporaryFile good("#?RADIANCE\n\n-Y 1 +X 2\n\200\100\40\201\200\100\40\204");
     CHECK(load_environment(good.name).width() == 2);
-    CHECK(same(load_environment(good.name).texel(2), {8, 4, 2}));
+    CHECK(same(load_environment(good.name).color(2), {8, 4, 2}));
     std::ofstream(good.name) << "P6";
     CHECK(message_of([&] { load_environment(good.name); }) ==
           good.name + ": not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");

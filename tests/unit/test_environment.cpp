@@ -4,12 +4,12 @@
 TEST_CASE("a map holds what it is made of, and texel 0 is black") {
     EnvironmentMap map(2, 2, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     CHECK((map.width() == 2 && map.height() == 2));
-    CHECK(same(map.texel(0), {0, 0, 0}));
-    CHECK(same(map.texel(map.texel_at(1, 0)), {4, 5, 6}));
+    CHECK(same(map.color(0), {0, 0, 0}));
+    CHECK(same(map.color(map.index(1, 0)), {4, 5, 6}));
     map.set(0, 1, {0.5, 0.25, 0});
-    CHECK(same(map.texel(3), {0.5, 0.25, 0}));
-    CHECK(same(map.texel(4), {10, 11, 12}));
-    for (int i = 0; i <= 6; ++i) CHECK(same(EnvironmentMap(3, 2).texel(i), {0, 0, 0}));
+    CHECK(same(map.color(3), {0.5, 0.25, 0}));
+    CHECK(same(map.color(4), {10, 11, 12}));
+    for (int i = 0; i <= 6; ++i) CHECK(same(EnvironmentMap(3, 2).color(i), {0, 0, 0}));
 }
 
 TEST_CASE("a map refuses sizes that do not match its values, and values that are no radiances") {
@@ -36,8 +36,8 @@ TEST_CASE("column and row are u (W - 1) and v (H - 1) by atan2 and acos, within 
 TEST_CASE("a direction meets the texel at the floor of column and row; straight up and down it has the azimuth of -z") {
     const EnvironmentMap map = coloured_map(512, 256);
     const auto meets = [&](Vec3 direction, int column, int row) {
-        return map.texel_index(direction) == map.texel_at(column, row) &&
-               same(map.radiance(direction), map.texel(map.texel_at(column, row)));
+        return map.index(direction) == map.index(column, row) &&
+               same(map.radiance(direction), map.color(map.index(column, row)));
     };
     CHECK(meets({0, 0, -1}, 255, 127));                                  // u = 1/2: 255.5, v = 1/2: 127.5
     CHECK((meets({1, 0, 0}, 383, 127) && meets({-1, 0, 0}, 127, 127)));  // u = 3/4: 383.25, u = 1/4: 127.75
@@ -62,10 +62,10 @@ TEST_CASE("interpolated radiance is the texel's at its centre, the mean half-way
     // 8 columns and 4 rows have a width. The lookup's angles err by 2.3e-8, which moves a texel of 1/8 turn by 3e-8 and
     // its number, at most 9 a row, by 3e-7.
     const auto shows = [&](double column, double row, double number) {
-        return std::fabs(map.interpolated_radiance(towards(column / 8, row / 4)).y - number) < 5e-7;
+        return std::fabs(map.bilinear_radiance(towards(column / 8, row / 4)).y - number) < 5e-7;
     };
     CHECK((shows(2.5, 1.5, 9 + 2) && shows(2.75, 1.5, 9 + 2.25) && shows(2.5, 1.75, 9 + 2 + 2.25)));
     CHECK((shows(0, 1.5, 9 + 3.5) && shows(8, 1.5, 9 + 3.5)));  // between columns 7 and 0
     CHECK((shows(2.5, 0.1, 2) && shows(2.5, 3.9, 27 + 2)));     // beyond the centres of the first and last row
-    CHECK(same(EnvironmentMap(1, 1, {1, 2, 3}).interpolated_radiance({0, 1, 0}), {1, 2, 3}));
+    CHECK(same(EnvironmentMap(1, 1, {1, 2, 3}).bilinear_radiance({0, 1, 0}), {1, 2, 3}));
 }

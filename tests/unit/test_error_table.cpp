@@ -75,7 +75,7 @@ TEST_CASE("the tables have a line for each number of samples; one that a process
         tables({"--samples=4,1,50", "--bmc-estimates=2", "--covariance=squared-exponential", "--length-scale=100",
                 "--noise=0"})
             .report();
-    } catch (const Incomplete& incomplete) {
+    } catch (const PartialOutput& incomplete) {
         output = incomplete.output + incomplete.what();
     }
     CHECK(contains(output, "\nno Gaussian process with these samples: 50; the matrix of 50 rows is not positive"));

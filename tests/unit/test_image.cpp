@@ -14,7 +14,7 @@ TEST_CASE("formats have names; an image is black at first, and its pixels follow
 TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are") {
     Image image(1, 2);
     image.pixels = {{1, 0, -2}, {0.5, 1e30, 0}};
-    CHECK(to_file(image, Format::pfm) ==
+    CHECK(encode(image, Format::pfm) ==
           "PF\n1 2\n-1.0\n" + text_of({0, 0, 0,    0x3f, 0xca, 0xf2, 0x49, 0x71, 0, 0, 0, 0,
                                        0, 0, 0x80, 0x3f, 0,    0,    0,    0,    0, 0, 0, 0xc0}));
 }
@@ -23,16 +23,16 @@ TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are")
 TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
     Image image(2, 2);
     image.pixels = {{0, 1, 0.5}, {-3, 7, 0.0031308}, {0, 0, 0}, {nan_value, 0.0001, infinity}};
-    CHECK(to_file(image, Format::ppm) == "P6\n2 2\n255\n" + text_of({0, 255, 188, 0, 255, 10, 0, 0, 0, 0, 0, 255}));
+    CHECK(encode(image, Format::ppm) == "P6\n2 2\n255\n" + text_of({0, 255, 188, 0, 255, 10, 0, 0, 0, 0, 0, 255}));
 }
 
 TEST_CASE("the sRGB code c is c / 12.92 up to 0.04045, else ((c + 0.055) / 1.055)^2.4; bytes begin at half units") {
     for (int byte = 1; byte < 256; ++byte) {
-        const double code = (byte - 0.5) / 255, begin = srgb_decoded(code);
+        const double code = (byte - 0.5) / 255, begin = srgb_to_linear(code);
         CHECK(relative(begin, code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4)) < 1e-15);
         Image image(2, 1);
         image.pixels = {{begin * (1 - 1e-15), 0, 0}, {begin, 0, 0}};
-        const std::string ppm = to_file(image, Format::ppm);
+        const std::string ppm = encode(image, Format::ppm);
         CHECK(static_cast<unsigned char>(ppm[ppm.size() - 6]) == byte - 1);
         CHECK(static_cast<unsigned char>(ppm[ppm.size() - 3]) == byte);
     }

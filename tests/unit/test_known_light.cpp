@@ -22,18 +22,18 @@ TEST_CASE("the sky's fraction is sum of w L V over sum of w L; a colour is E_sky
     const PrefilteredEnvironment light(map);
     const PixelRules rules(small_picture(Method::pool, 20, 12, Placement::cosine_fibonacci, Known::cosine));
     const EnvironmentMap& means = light.means(2 * pi / 20);
-    const Shade shade = reflected_known_light(scene, light, rules, 3);
+    const Shader shade = known_light_shader(scene, light, rules, 3);
     int partly = 0;
     for_each_hit(scene, {12, 12}, [&](int x, int y, const Hit& hit) {
         Random random = pixel_stream(rules.settings(), x, y);
-        const PlacedRule placed = rules.rule_for(hit.normal, random);
-        Quotient sky;
-        for (std::size_t i = 0; i < placed.rule->size(); ++i) {
-            const Vec3 direction = placed.frame.to_world(placed.rule->directions[i]);
-            sky.add(placed.rule->weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
+        const OrientedRule oriented = rules.rule_for(hit.normal, random);
+        RatioEstimator sky;
+        for (std::size_t i = 0; i < oriented.rule->size(); ++i) {
+            const Vec3 direction = oriented.frame.to_world(oriented.rule->directions[i]);
+            sky.add(oriented.rule->weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
         }
-        CHECK(same(visible_sky(scene, means, hit, *placed.rule, placed.frame), sky.fraction()));
-        const Color sun = light_of_sun(scene, light.sun(), hit, 3, random).fraction();
+        CHECK(same(visible_sky(scene, means, hit, *oriented.rule, oriented.frame), sky.fraction()));
+        const Color sun = sample_sun(scene, light.sun(), hit, 3, random).fraction();
         const Color all = light.sky_irradiance(hit.normal) * sky.fraction() + light.sun_irradiance(hit.normal) * sun;
         CHECK(same(shade(hit, x, y), 1 / pi * (hit.albedo * all)));
         partly += sky.fraction().x < 1 && sky.fraction().x > 0;

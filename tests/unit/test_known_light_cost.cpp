@@ -17,7 +17,7 @@ TEST_CASE("the dense truth agrees with a picture by many directions, under a sun
     RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = sunny_map();
-    const Image many = render(scene, map, settings, reflected_environment(scene, map, PixelRules(settings)));
+    const Image many = render(scene, map, settings, environment_shader(scene, map, PixelRules(settings)));
     const ImageError error = image_error(many, truth_with_sun(map, settings, 3000));
     CHECK((error.rmse < 0.01 && std::fabs(error.brightness) < 2e-3));
     EnvironmentMap lamp = even_map(64, 32, 1);

@@ -54,15 +54,15 @@ TEST_CASE("a request is the light that the practice's scene reflects; a PPM has 
     PictureRequest request;
     request.settings = small_picture(Method::pool, 7);
     request.exposure = -2;
-    Image image = render(scene, map, request.settings, reflected_environment(scene, map, PixelRules(request.settings)));
+    Image image = render(scene, map, request.settings, environment_shader(scene, map, PixelRules(request.settings)));
     CHECK(same(request.image(map).pixels, image.pixels));
     request.format = Format::pfm;
-    CHECK(request.file(image) == to_file(image, Format::pfm));
+    CHECK(request.file(image) == encode(image, Format::pfm));
     request.format = Format::ppm;
     std::string file;
     stderr_of([&] { file = request.file(image); });
     for (Color& pixel : image.pixels) pixel = 0.25 * pixel;
-    CHECK(file == to_file(image, Format::ppm));
+    CHECK(file == encode(image, Format::ppm));
 }
 
 TEST_CASE("more than a tenth of the objects' pixels above white warns, with the exposure that makes them white") {

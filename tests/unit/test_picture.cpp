@@ -10,8 +10,8 @@ TEST_CASE("a picture is rendered by the environment's light or, where that is kn
     for (const bool known : {false, true}) {
         const PictureSettings settings{small_picture(Method::rotated, 9), known};
         const PixelRules rules(known ? sky_settings(settings, averages) : RenderSettings(settings));
-        const Shade shade = known ? reflected_known_light(scene, averages, rules, sun_samples(averages, 9))
-                                  : reflected_environment(scene, map, rules);
+        const Shader shade = known ? known_light_shader(scene, averages, rules, sun_samples(averages, 9))
+                                   : environment_shader(scene, map, rules);
         CHECK(same(picture(EnvironmentLight(map, known, 1), settings).pixels,
                    render(scene, map, settings, shade).pixels));
     }

@@ -17,7 +17,7 @@ TEST_CASE("errors are over seeds, in the order of settings and samples; a light 
     costs.size = 6;
     costs.timed = false;
     const std::vector<ComparedPicture> two{compared_pictures(map)[0], compared_pictures(map)[5]};
-    const Image truth = dense_truth(map, row_settings(costs, {}, 0), 10000);
+    const Image truth = reference_image(map, row_settings(costs, {}, 0), 10000);
     const std::vector<PictureCost> rows = picture_costs(two, {3, 5}, costs, truth);
     REQUIRE(rows.size() == 4);
     CHECK((rows[0].settings.method == Method::mc && rows[1].settings.samples == 5 && rows[2].settings.samples == 3));
@@ -25,5 +25,5 @@ TEST_CASE("errors are over seeds, in the order of settings and samples; a light 
     const PictureCost other = picture_costs(two, {3}, costs, truth)[0];
     CHECK((other.rmse != rows[0].rmse && other.settings.seed == rows[0].settings.seed + 1000));
     CHECK_THROWS_AS(picture_costs(two, {3}, costs, Image(6, 6)), std::runtime_error);
-    CHECK(seconds_of([] {}) > 0);
+    CHECK(time_call([] {}) > 0);
 }

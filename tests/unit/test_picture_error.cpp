@@ -22,6 +22,6 @@ TEST_CASE("the dense truth agrees with a picture by many directions") {
     RenderSettings settings = small_picture(Method::mc, 100000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = coloured_map(16, 9);
-    const ImageError error = image_error(picture(map, settings), dense_truth(map, settings, 10000));
+    const ImageError error = image_error(picture(map, settings), reference_image(map, settings, 10000));
     CHECK((error.rmse < 0.01 && std::fabs(error.brightness) < 1e-3));
 }

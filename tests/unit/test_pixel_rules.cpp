@@ -44,19 +44,19 @@ TEST_CASE("a pixel has a fresh rule, a shared one, one that is turned, or one th
             for (std::uint64_t pixel = 0; pixel < 9; ++pixel) {
                 const PixelRules rules(small_picture(method, 5, 12, placement, Known::cosine));
                 Random drawn(1, pixel), here(1, pixel);
-                const PlacedRule placed = rules.rule_for(normal, drawn);
+                const OrientedRule oriented = rules.rule_for(normal, drawn);
                 Frame frame(normal);
                 const std::string name = method_name;
                 INFO(name);
                 if (rules.shared().empty()) {
-                    CHECK(same_rule(*placed.rule, cosine_rule(rule_from(rules.settings(), here))));
+                    CHECK(same_rule(*oriented.rule, cosine_rule(rule_from(rules.settings(), here))));
                 } else {
                     const double u = method == Method::pool ? here.uniform() : 0;
                     if (method != Method::single) frame = frame.rotated(here.uniform());
-                    CHECK(placed.rule == rules.shared()[static_cast<std::size_t>(3 * u)]);
+                    CHECK(oriented.rule == rules.shared()[static_cast<std::size_t>(3 * u)]);
                 }
-                CHECK(
-                    (same(placed.frame.to_world({1, 2, 4}), frame.to_world({1, 2, 4})) && drawn.bits() == here.bits()));
+                CHECK((same(oriented.frame.to_world({1, 2, 4}), frame.to_world({1, 2, 4})) &&
+                       drawn.bits() == here.bits()));
             }
 }
 

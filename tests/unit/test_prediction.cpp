@@ -5,7 +5,7 @@ using namespace bmc::beyond;
 
 // By the definition: half the mean square of the difference of a pair, over the pixels that show an object.
 static double rmse_of_pair(const EnvironmentLight& light, const PictureSettings& settings) {
-    const Image a = picture(light, settings), b = picture(light, second(settings));
+    const Image a = picture(light, settings), b = picture(light, with_next_seed(settings));
     double squares = 0, count = 0;
     for_each_hit(sphere_scene(), {a.width, a.height}, [&](int x, int y, const Hit&) {
         squares += squared_distance(a(x, y), b(x, y));

@@ -28,7 +28,7 @@ TEST_CASE("reflected light is (albedo / pi) sum of weight V L, to the last bit, 
                     sum += rule.weights[i] * map.radiance(direction);
                     ++lit;
                 }
-                CHECK(same(reflected_light(scene, map, hit, rule, frame), 1 / pi * (hit.albedo * sum)));
+                CHECK(same(reflected_radiance(scene, map, hit, rule, frame), 1 / pi * (hit.albedo * sum)));
                 partly[static_cast<int>(hit.object)] += lit > 0 && lit < n;
             });
             CHECK((n < 10 || (partly[0] > 0 && partly[1] > 0)));

@@ -5,14 +5,14 @@ TEST_CASE("a pixel shows the shade of what its ray meets, or the background inte
     const EnvironmentMap background = coloured_map(16, 9);
     RenderSettings settings = small_picture(Method::mc);
     settings.width = 14;
-    const Shade shade = [](const Hit& hit, int x, int y) { return Color{x + 0.0, y + 0.0, hit.point.z}; };
+    const Shader shade = [](const Hit& hit, int x, int y) { return Color{x + 0.0, y + 0.0, hit.point.z}; };
     const Image image = render(test_scene(), background, settings, shade);
     REQUIRE((image.width == 14 && image.height == 12));
     for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 14; ++x) {
             const Ray ray = Camera{14, 12}.ray(x, y);
             const std::optional<Hit> hit = intersect(test_scene(), ray);
-            CHECK(same(image(x, y), hit ? shade(*hit, x, y) : background.interpolated_radiance(ray.direction)));
+            CHECK(same(image(x, y), hit ? shade(*hit, x, y) : background.bilinear_radiance(ray.direction)));
         }
 }
 
@@ -22,11 +22,11 @@ TEST_CASE("a shade is the light that a point reflects by its pixel's rule and fr
     for (const auto& row : method_names) {
         RenderSettings settings = small_picture(row.second, 7);
         const PixelRules rules(settings);
-        const Shade shade = reflected_environment(scene, map, rules);
+        const Shader shade = environment_shader(scene, map, rules);
         for_each_hit(scene, {12, 12}, [&](int x, int y, const Hit& hit) {
             Random random = pixel_stream(settings, x, y);
-            const PlacedRule placed = rules.rule_for(hit.normal, random);
-            CHECK(same(shade(hit, x, y), reflected_light(scene, map, hit, *placed.rule, placed.frame)));
+            const OrientedRule oriented = rules.rule_for(hit.normal, random);
+            CHECK(same(shade(hit, x, y), reflected_radiance(scene, map, hit, *oriented.rule, oriented.frame)));
         });
         const std::vector<Color> one = render(scene, map, settings, shade).pixels;
         settings.threads = 5;

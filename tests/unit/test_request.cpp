@@ -21,15 +21,16 @@ TEST_CASE("a request is a picture, the standard errors that two predict, or as m
         settings.light_known = known == "light";
         settings.known = known == "nothing" ? Known::nothing : Known::cosine;
         const EnvironmentLight light(map, settings.light_known, 1);
-        const Image image = picture(light, settings), errors = standard_errors(image, picture(light, second(settings)));
+        const Image image = picture(light, settings),
+                    errors = standard_errors(image, picture(light, with_next_seed(settings)));
         const std::string told = "%zu samples for a predicted RMSE of %.2g\n";
-        CHECK(asked(map, {"--known=" + known}) == to_file(image, Format::pfm));
+        CHECK(asked(map, {"--known=" + known}) == encode(image, Format::pfm));
         CHECK(asked(map, {"--known=" + known, "--show=error"}) ==
-              formatted(told.c_str(), std::size_t{10}, root_mean_square(errors)) + to_file(errors, Format::pfm));
+              formatted(told.c_str(), std::size_t{10}, root_mean_square(errors)) + encode(errors, Format::pfm));
         const ChosenSamples chosen = samples_for(1, 4096, light, settings);
         settings.samples = chosen.samples;
         CHECK(asked(map, {"--known=" + known, "--rmse=1"}) ==
-              formatted(told.c_str(), chosen.samples, chosen.rmse) + to_file(picture(light, settings), Format::pfm));
+              formatted(told.c_str(), chosen.samples, chosen.rmse) + encode(picture(light, settings), Format::pfm));
     }
     CHECK(asked(map, {"--known=light", "--known=cosine"}) == asked(map, {"--known=cosine"}));  // the last one counts
     CHECK_THROWS_WITH(parse({"--known=all"}, Request().options()), "--known: 'all' is not nothing, cosine or light");

@@ -6,7 +6,7 @@ using namespace bmc::beyond;
 
 TEST_CASE("the sun is the texels of more than a hundred times the mean radiance, and the sky is the map without them") {
     EnvironmentMap map = even_map(64, 32, 1);
-    const int place = map.texel_at(50, 10);
+    const int place = map.index(50, 10);
     const double part = TexelsOnSphere(map, 1, 1).solid_angle(10) / (4 * pi);
     const double threshold = 100 * (1 - part) / (1 - 100 * part);  // 100 (part radiance + 1 - part)
     for (const double radiance : {0.999 * threshold, 1.001 * threshold}) {
@@ -16,7 +16,7 @@ TEST_CASE("the sun is the texels of more than a hundred times the mean radiance,
         CHECK(sun.empty() == !shines);
         CHECK(std::fabs(sun.light() - shines * 4 * pi * part * 3 * radiance) < 1e-5);  // floats
         CHECK(std::fabs(sun.share() - shines * part * radiance / (1 - part + part * radiance)) < 1e-6);
-        CHECK((sun.sky().texel(place).x == (shines ? 0 : map.texel(place).x) && sun.sky().texel(place + 1).x == 1));
+        CHECK((sun.sky().color(place).x == (shines ? 0 : map.color(place).x) && sun.sky().color(place + 1).x == 1));
     }
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("the fraction u of the light is passed texel by texel, in Morton's ord
         });
         std::vector<int> passed;  // 10 row + column
         for (double u = 0.003; u < 1; u += 0.01) {
-            const int i = map.texel_index(Sun(map).ray(u, 0.5).direction) - 1, place = i / 8193 * 10 + i % 8193 - far;
+            const int i = map.index(Sun(map).ray(u, 0.5).direction) - 1, place = i / 8193 * 10 + i % 8193 - far;
             if (passed.empty() || passed.back() != place) passed.push_back(place);
         }
         CHECK(passed == std::vector<int>{20, 21, 30, 31, 22, 23, 32, 33});
@@ -56,8 +56,8 @@ TEST_CASE("ray j of m goes to the fraction (j + u) / m, weighs cos(theta), and m
     int above = 0, shadowed = 0;
     for_each_hit(test_scene(), {16, 16}, [&](int x, int y, const Hit& hit) {
         Random drawn(1, static_cast<std::uint64_t>(16 * y + x)), here = drawn;
-        const Quotient light = light_of_sun(test_scene(), sun, hit, 3, drawn);
-        Quotient expected;
+        const RatioEstimator light = sample_sun(test_scene(), sun, hit, 3, drawn);
+        RatioEstimator expected;
         for (int j = 0; j < 3; ++j) {
             const double u = (j + here.uniform()) / 3;
             const Sun::Ray ray = sun.ray(u, here.uniform());
@@ -70,6 +70,6 @@ TEST_CASE("ray j of m goes to the fraction (j + u) / m, weighs cos(theta), and m
         shadowed += light.visible.x < light.all.x;
     });
     CHECK((above > 10 && shadowed > 3));
-    CHECK(same(Quotient{{2, -1, 8}, {1, -2, 16}}.fraction(), {0.5, 1, 1}));
-    CHECK(same(Quotient{{0, 1, 1}, {0, -1, 0}}.fraction(), {1, 0, 0}));
+    CHECK(same(RatioEstimator{{2, -1, 8}, {1, -2, 16}}.fraction(), {0.5, 1, 1}));
+    CHECK(same(RatioEstimator{{0, 1, 1}, {0, -1, 0}}.fraction(), {1, 0, 0}));
 }

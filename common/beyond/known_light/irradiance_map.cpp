@@ -58,7 +58,7 @@ Color IrradianceMap::operator()(Vec3 normal) const {
     const double x = table_.grid().column(normal.x, normal.z), y = table_.grid().row(normal.y);
     const int column = std::min(static_cast<int>(x), columns - 1), row = std::min(static_cast<int>(y), rows - 1);
     const double right = x - column, down = y - row;
-    const auto corner = [&](int i, int j) { return table_.texel(table_.texel_at(column + j, row + i)); };
+    const auto corner = [&](int i, int j) { return table_.color(table_.index(column + j, row + i)); };
     return (1 - down) * ((1 - right) * corner(0, 0) + right * corner(0, 1)) +
            down * ((1 - right) * corner(1, 0) + right * corner(1, 1));
 }

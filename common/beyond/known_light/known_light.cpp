@@ -20,26 +20,26 @@ Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hi
     std::vector<int> all(rule.size()), visible(rule.size());  // texels; the black one in the shadow
     for (std::size_t i = 0; i < rule.size(); ++i) {
         const Vec3 direction = frame.to_world(rule.directions[i]);
-        all[i] = means.texel_index(direction);
+        all[i] = means.index(direction);
         visible[i] = !is_shadowed(scene, hit, direction) * all[i];
     }
     if (all == visible) return {1, 1, 1};
-    Quotient sky;
+    RatioEstimator sky;
     for (std::size_t i = 0; i < rule.size(); ++i) {
-        sky.all += rule.weights[i] * means.texel(all[i]);
-        sky.visible += rule.weights[i] * means.texel(visible[i]);
+        sky.all += rule.weights[i] * means.color(all[i]);
+        sky.visible += rule.weights[i] * means.color(visible[i]);
     }
     return sky.fraction();
 }
 
-Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
-                            std::size_t sun_rays) {
+Shader known_light_shader(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
+                          std::size_t sun_rays) {
     const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(rules.settings().samples));
     return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
-        const PlacedRule placed = rules.rule_for(hit.normal, random);
-        const Color sky = visible_sky(scene, means, hit, *placed.rule, placed.frame);
-        const Color sun = light_of_sun(scene, light.sun(), hit, sun_rays, random).fraction();
+        const OrientedRule oriented = rules.rule_for(hit.normal, random);
+        const Color sky = visible_sky(scene, means, hit, *oriented.rule, oriented.frame);
+        const Color sun = sample_sun(scene, light.sun(), hit, sun_rays, random).fraction();
         return 1 / portable::pi *
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
     };

@@ -25,6 +25,6 @@ Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hi
                   const Frame& frame);
 
 // L_o, linear RGB, by these rules for the sky and by `sun_rays` rays to the sun. Scene and light must outlive it.
-Shade reflected_known_light(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
-                            std::size_t sun_rays);
+Shader known_light_shader(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
+                          std::size_t sun_rays);
 }  // namespace bmc::beyond

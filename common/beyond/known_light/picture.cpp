@@ -10,14 +10,14 @@ PixelRules rules_of(const EnvironmentLight& light, const PictureSettings& settin
     return PixelRules(sky_settings(settings, *light.prefiltered));
 }
 
-Shade shade_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
-               const PixelRules& rules) {
-    if (!settings.light_known) return reflected_environment(scene, light.environment, rules);
-    return reflected_known_light(scene, *light.prefiltered, rules, sun_samples(*light.prefiltered, settings.samples));
+Shader shader_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
+                 const PixelRules& rules) {
+    if (!settings.light_known) return environment_shader(scene, light.environment, rules);
+    return known_light_shader(scene, *light.prefiltered, rules, sun_samples(*light.prefiltered, settings.samples));
 }
 
 Image picture(const EnvironmentLight& light, const PictureSettings& settings) {
     const Scene scene = sphere_scene();
-    return render(scene, light.environment, settings, shade_of(scene, light, settings, rules_of(light, settings)));
+    return render(scene, light.environment, settings, shader_of(scene, light, settings, rules_of(light, settings)));
 }
 }  // namespace bmc::beyond

@@ -21,8 +21,8 @@ struct EnvironmentLight {
 // The rules of a picture, and with them the colour of each of its points. Scene and light must outlive the latter. The
 // first throws what the Gaussian processes throw.
 PixelRules rules_of(const EnvironmentLight& light, const PictureSettings& settings);
-Shade shade_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
-               const PixelRules& rules);
+Shader shader_of(const Scene& scene, const EnvironmentLight& light, const PictureSettings& settings,
+                 const PixelRules& rules);
 
 // The image of linear radiance. Throws as rules_of does.
 Image picture(const EnvironmentLight& light, const PictureSettings& settings);

@@ -29,7 +29,7 @@ std::vector<Vec3> cap_directions(double solid_angle) {
 // Beyond 1e36 integrals would exceed the largest float.
 const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
     for (int i = 1; i <= map.width() * map.height(); ++i)
-        if (dot(map.texel(i), {1, 1, 1}) > 1e36)
+        if (dot(map.color(i), {1, 1, 1}) > 1e36)
             throw std::runtime_error("this light is too bright to be known: a radiance exceeds 1e36");
     return map;
 }
@@ -64,9 +64,9 @@ EnvironmentMap PrefilteredEnvironment::average(const EnvironmentMap& finer, doub
             const auto azimuth = portable::sincos_turns((std::min(x, columns - 1) + 0.5) / columns - 0.5);
             const Frame frame(direction_of(polar, azimuth));
             int texels[lookups];
-            for (std::size_t i = 0; i < lookups; ++i) texels[i] = finer.texel_index(frame.to_world(local[i]));
+            for (std::size_t i = 0; i < lookups; ++i) texels[i] = finer.index(frame.to_world(local[i]));
             Color sum;
-            for (const int texel : texels) sum += finer.texel(texel);
+            for (const int texel : texels) sum += finer.color(texel);
             means.set(x, y, 1.0 / lookups * sum + everywhere);
         }
     };

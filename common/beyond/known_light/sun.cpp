@@ -68,13 +68,13 @@ EnvironmentMap Sun::sky() const {
     return sky;
 }
 
-Color Quotient::fraction() const {
+Color RatioEstimator::fraction() const {
     const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
     return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};
 }
 
-Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random) {
-    Quotient light;
+RatioEstimator sample_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random) {
+    RatioEstimator light;
     for (std::size_t j = 0; j < m; ++j) {
         const double u = (static_cast<double>(j) + random.uniform()) / static_cast<double>(m);
         const double v = random.uniform();

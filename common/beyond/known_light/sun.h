@@ -9,7 +9,7 @@
 
 namespace bmc::beyond {
 // Sums over rays: of all light, and of what arrives.
-struct Quotient {
+struct RatioEstimator {
     Color all, visible;
 
     void add(Color light, bool arrives) {
@@ -64,5 +64,5 @@ private:
 
 // The sums over m rays to the sun, none if it is empty. Ray j goes to the place after the fraction (j + u_j) / m of its
 // light, v_j down in a texel, by random numbers u_j and then v_j; its weight is cos(theta_j), 0 below the horizon.
-Quotient light_of_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random);
+RatioEstimator sample_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random);
 }  // namespace bmc::beyond

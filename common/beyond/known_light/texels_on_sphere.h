@@ -21,7 +21,7 @@ public:
     int columns() const { return columns_; }
     int rows() const { return rows_; }
 
-    Color operator()(int row, int column) const { return map_.texel(map_.texel_at(column / across_, row / down_)); }
+    Color operator()(int row, int column) const { return map_.color(map_.index(column / across_, row / down_)); }
 
     // The solid angle of one texel of the row.
     double solid_angle(int row) const {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace bmc::beyond {
-PictureSettings second(PictureSettings settings) {
+PictureSettings with_next_seed(PictureSettings settings) {
     ++settings.seed;
     return settings;
 }
@@ -47,9 +47,9 @@ double pilot_rmse(const EnvironmentLight& light, PictureSettings settings) {
     const int across = std::max(1, settings.width / 64), down = std::max(1, settings.height / 64);
     double squares = 0, count = 0;
     for (int pair = 0; pair < 16 && count < 1000; ++pair) {
-        const PictureSettings next = second(settings);
-        const Shade a = shade_of(scene, light, settings, rules_of(light, settings));
-        const Shade b = shade_of(scene, light, next, rules_of(light, next));
+        const PictureSettings next = with_next_seed(settings);
+        const Shader a = shader_of(scene, light, settings, rules_of(light, settings));
+        const Shader b = shader_of(scene, light, next, rules_of(light, next));
         for (int y = down / 2; y < settings.height; y += down)
             for (int x = across / 2; x < settings.width; x += across)
                 if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) {

@@ -10,7 +10,7 @@
 
 namespace bmc::beyond {
 // The settings of the second picture of a pair: they have the next seed.
-PictureSettings second(PictureSettings settings);
+PictureSettings with_next_seed(PictureSettings settings);
 
 // The standard error of each colour of each pixel, of either picture, over a window around it, as far as that shows the
 // same object; 0 where no object is. Windows grow with the picture, from 7 x 7 pixels to 15 x 15 from 490 rows on, so
