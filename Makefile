@@ -10,7 +10,9 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || nproc 2>/dev/nul
 endif
 
 CXX ?= g++
-ARCH ?= $(shell $(CXX) -march=native -x c++ -fsyntax-only /dev/null 2>/dev/null && echo -march=native)
+ifeq ($(origin ARCH),undefined)
+ARCH := $(shell $(CXX) -march=native -x c++ -fsyntax-only /dev/null 2>/dev/null && echo -march=native)
+endif
 CXXFLAGS ?= -O3 $(ARCH)
 BUILD ?= build
 BIN ?= .
@@ -18,7 +20,8 @@ BIN ?= .
 # Part of the language that the sources are written in: without contraction every result is what IEEE 754 says. The last
 # two change no bit; they let the compiler vectorise loops with square roots and comparisons.
 LANGUAGE = -std=c++17 -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
-WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+# A case that a switch lacks is an error: so the compiler names each place that a new enumerator needs.
+WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=switch
 COMPILE = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(WARNINGS) -Icommon $(CPPFLAGS)
 LINK = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^
 
@@ -33,8 +36,8 @@ all: $(BIN)/workbench $(BIN)/renderer
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
-# Both programs take along what is there of it.
-$(BUILD)/workbench.o $(BUILD)/renderer.o: $(wildcard common/beyond)
+# Both programs include headers of common/beyond if it exists: the folder common changes when it comes or goes.
+$(BUILD)/workbench.o $(BUILD)/renderer.o: common
 
 # The standard headers, read once: that halves the time of a first make. Without it: HEADERS=
 HEADERS = $(BUILD)/standard.h
@@ -46,7 +49,7 @@ $(BUILD)/%.o: %.cpp $(BUILD)/settings | $(HEADERS:=.gch)
 	@mkdir -p $(@D)
 	$(call say,CXX $<) $(COMPILE) $(HEADERS:%=-include %) $(EXTRA) -MMD -MP -c $< -o $@
 
-# Written anew when the command to compile has changed: all that was made by another is then out of date.
+# Rewritten when the compile command changes, which makes every object out of date.
 $(BUILD)/settings: always
 	@mkdir -p $(@D)
 	@echo '$(SETTINGS)' | cmp -s - $@ || echo '$(SETTINGS)' > $@

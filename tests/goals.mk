@@ -1,5 +1,6 @@
 # Goals beside the programs; tests/README.md says which to make when.
 # make test         every unit test, and the programs' output against tests/output/references
+# make unit         the unit tests alone, below two seconds once they are compiled
 # make judge        build/judge, which judges pictures by programs with other random numbers
 # make references   rewrites these, or with ONLY='pool*' some: only when the output is meant to change
 # make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
@@ -14,7 +15,7 @@
 
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
 COMPARE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/compare.cpp,$(wildcard tests/output/*.cpp)))
-.PHONY: doctest test judge references handout grade mutations portability sanitizers fuzz figures seconds format-check
+.PHONY: doctest test unit judge references handout grade mutations portability sanitizers fuzz figures seconds format-check
 
 # Unit tests take longer to compile than to run, and their header longest: it is read once, but for main.cpp, which sets
 # doctest up.
@@ -40,6 +41,9 @@ $(BUILD)/compare $(BUILD)/judge: $(COMPARE) $(COMMON)
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run
+
+unit: $(BUILD)/unit_tests
+	BUILD=$(BUILD) tests/output/run unit_tests
 
 judge: $(BUILD)/judge
 
