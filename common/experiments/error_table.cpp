@@ -18,28 +18,33 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// Adds the errors of the estimates e = 0, 1, ... of Monte Carlo, mc_estimates of them. Estimate e has the directions of
-// directions_of_estimate(settings, row.samples, e).
-// BEGIN SOLUTION table
-static void add_mc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
+// Adds to each integrand's row the errors of Monte Carlo's estimates e = 0, 1, ..., mc_estimates of them. Estimate e
+// has the directions of directions_of_estimate(settings, rows[0].samples, e), the same for all integrands. BEGIN
+// SOLUTION table
+static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
+                          const ErrorSettings& settings) {
     for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
-        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate(settings, row.samples, e));
-        row.mc.add(absolute_error(estimate(rule, integrand), integrand.truth));
+        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate(settings, rows[0].samples, e));
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].mc.add(absolute_error(estimate(rule, integrands[i]), integrands[i].truth));
     }
 }
 // END SOLUTION
 
-// The same for Bayesian Monte Carlo, and the absolute errors that it predicts. A normal error of the standard deviation
-// s has the mean absolute value sqrt(2 / pi) s.
+// The same for Bayesian Monte Carlo, and the absolute errors that the process predicts: a normal error of the standard
+// deviation s has the mean absolute value sqrt(2 / pi) s. An estimate has one process for all integrands.
 // BEGIN SOLUTION table
-static void add_bmc_errors(ErrorRow& row, const Integrand& integrand, const ErrorSettings& settings) {
+static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
+                           const ErrorSettings& settings) {
     const auto covariance = settings.make_covariance();
     for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-        const DirectionSet set = directions_of_estimate(settings, row.samples, e);
+        const DirectionSet set = directions_of_estimate(settings, rows[0].samples, e);
         const GaussianProcess process(*covariance, settings.noise, set.directions);
-        const std::vector<double> values = evaluate(integrand, set.directions, settings.known);
-        row.bmc.add(absolute_error(process.integral(values), integrand.truth));
-        row.predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::vector<double> values = evaluate(integrands[i], set.directions, settings.known);
+            rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
+            rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
+        }
     }
 }
 // END SOLUTION
@@ -64,16 +69,19 @@ static std::vector<Integrand> integrands_named(const std::string& name) {
     return named;
 }
 
-ErrorRow error_row(const Integrand& integrand, std::size_t samples, const ErrorSettings& settings) {
-    ErrorRow row{samples, {}, {}, {}};
-    add_mc_errors(row, integrand, settings);
+std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
+                                 const ErrorSettings& settings) {
+    std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples, {}, {}, {}});
+    add_mc_errors(rows, integrands, settings);
     try {
-        add_bmc_errors(row, integrand, settings);
+        add_bmc_errors(rows, integrands, settings);
     } catch (const NotPositiveDefinite& refused) {
-        row.bmc = row.predicted = {};
-        row.refusal = refused.what() + std::string(refusal_advice);
+        for (ErrorRow& row : rows) {
+            row.bmc = row.predicted = {};
+            row.refusal = refused.what() + std::string(refusal_advice);
+        }
     }
-    return row;
+    return rows;
 }
 
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement) {
@@ -91,26 +99,26 @@ Options ErrorTables::options() {
                                        "cosine, cosine-cubed, environment or constant (default all)", integrand),
                            {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
                             [this](const std::string& text) { settings.samples = parse_samples(text); }},
-                           integer_option("mc-estimates", "M", "estimates of MC in a mean error (default 100)",
+                           integer_option("mc-estimates", "M", "estimates of MC in a mean error (default 1000)",
                                           settings.mc_estimates, 100000),
-                           integer_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 10)",
+                           integer_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 1000)",
                                           settings.bmc_estimates, 100000)},
                    model_options(settings)});
 }
 
 std::string ErrorTables::report() const {
+    const std::vector<Integrand> integrands = integrands_named(integrand);
+    std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text, refused, reason;
-    for (const Integrand& each : integrands_named(integrand)) {
-        std::vector<ErrorRow> rows;
-        for (const std::size_t n : settings.samples) rows.push_back(error_row(each, n, settings));
-        text += (text.empty() ? "" : "\n\n") + error_report(each, rows, settings.placement);
-        refused.clear();  // the same for every integrand
-        for (const ErrorRow& row : rows) {
-            if (row.refusal.empty()) continue;
-            refused += ' ' + std::to_string(row.samples);
-            reason = row.refusal;
-        }
+    for (const std::size_t n : settings.samples) {
+        const std::vector<ErrorRow> rows = error_rows(integrands, n, settings);
+        for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
+        if (rows[0].refusal.empty()) continue;
+        refused += ' ' + std::to_string(n);
+        reason = rows[0].refusal;
     }
+    for (std::size_t i = 0; i < tables.size(); ++i)
+        text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement);
     if (!refused.empty())
         throw PartialOutput(text, "no Gaussian process with these samples:" + refused + "; " + reason);
     return text;

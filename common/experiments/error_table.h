@@ -9,7 +9,7 @@
 namespace bmc {
 struct ErrorSettings : ModelSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-    std::size_t mc_estimates = 100, bmc_estimates = 10;
+    std::size_t mc_estimates = 1000, bmc_estimates = 1000;  // the sheet has 100 and 10, whose means show luck
 };
 
 // Absolute errors of both methods, and those that the process predicts. A process that is refused has none.
@@ -26,9 +26,11 @@ struct ErrorRow {
     double equivalent_mc_samples() const { return static_cast<double>(samples) * gain() * gain(); }
 };
 
-// Every estimate has a fresh set of directions. Estimate e of both methods has the same set, so that columns differ by
-// the method and not by luck.
-ErrorRow error_row(const Integrand& integrand, std::size_t samples, const ErrorSettings& settings);
+// A row for each integrand, at least one. Every estimate has a fresh set of directions. Estimate e has the same set for
+// both methods, so that columns differ by the method and not by luck, and for all integrands, so that its rule is made
+// once.
+std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
+                                 const ErrorSettings& settings);
 
 // A line for each row; - stands for what has no meaning, such as the equivalent random samples of a lattice.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);

@@ -344,7 +344,7 @@ void add_mc_errors_is_right() {
         Statistics right;
         for (std::size_t e = 0; right.count < real(settings.mc_estimates); ++e)
             right.add(std::fabs(estimate(monte_carlo_rule(directions_of_estimate(settings, n, e)), f) - f.truth));
-        expect_errors("errors " + in + "mc", error_row(f, n, settings).mc, right);
+        expect_errors("errors " + in + "mc", error_rows({f}, n, settings)[0].mc, right);
     });
 }
 
@@ -358,15 +358,15 @@ void add_bmc_errors_is_right() {
             errors.add(std::fabs(process.integral(y) - f.truth));
             predicted.add(process.standard_error(y) * std::sqrt(2 / pi));
         }
-        const ErrorRow row = error_row(f, n, settings);
+        const ErrorRow row = error_rows({f}, n, settings)[0];
         if (!row.refusal.empty()) wrong(in + row.refusal);
         expect_errors("errors " + in + "bmc", row.bmc, errors);
         expect_errors("predicted errors " + in + "predicted", row.predicted, predicted);
     });
     ErrorSettings singular;
     singular.covariance = CovarianceFamily::squared_exponential, singular.noise = 0;
-    if (error_row({"", "1", [](Vec3) { return 1.0; }, 2 * pi}, 200, singular).refusal.empty())
-        wrong("n = 200, noise 0: NotPositiveDefinite, which the process throws, should go on to error_row");
+    if (error_rows({{"", "1", [](Vec3) { return 1.0; }, 2 * pi}}, 200, singular)[0].refusal.empty())
+        wrong("n = 200, noise 0: NotPositiveDefinite, which the process throws, should go on to error_rows");
 }
 
 // ---- shade

@@ -7,7 +7,7 @@ static ErrorRow row_of(const Integrand& integrand, std::size_t samples, std::siz
     ErrorSettings settings;
     settings.mc_estimates = mc;
     settings.bmc_estimates = bmc;
-    return error_row(integrand, samples, settings);
+    return error_rows({integrand}, samples, settings)[0];
 }
 
 TEST_CASE("errors are those of estimates on the same directions for both methods, beside what the process predicts") {
@@ -40,7 +40,7 @@ TEST_CASE("a row of which a later process is refused has no errors of those befo
     settings.noise = 0;
     for (const std::size_t estimates : {1u, 10u}) {
         settings.bmc_estimates = estimates;
-        const ErrorRow row = error_row(cosine_integrand, 90, settings);
+        const ErrorRow row = error_rows({cosine_integrand}, 90, settings)[0];
         CHECK((row.refusal.empty() == (estimates == 1) && row.bmc.count == (estimates == 1)));
         CHECK(row.predicted.count == row.bmc.count);
     }
