@@ -1,5 +1,7 @@
 #include "command_line/model_options.h"
 
+#include <sstream>
+
 namespace bmc {
 Options model_options(ModelSettings& s) {
     return model_options(s, enum_option("known", known_names, s.known, known_remark));
@@ -15,5 +17,16 @@ Options model_options(ModelSettings& s, const Option& known) {
             enum_option("placement", placement_names, s.placement),
             {"seed", "K", "seed of the random numbers (default 1)",
              [&s](const std::string& text) { s.seed = parse_integer(text, 0, UINT64_MAX); }}};
+}
+
+Option sample_list_option(std::vector<std::size_t>& samples) {
+    std::string usual;
+    for (const std::size_t n : samples) usual += (usual.empty() ? "" : ",") + std::to_string(n);
+    return {"samples", "LIST", "numbers of samples (default " + usual + ")", [&samples](const std::string& text) {
+                samples.clear();
+                std::istringstream words(text + ',');
+                for (std::string word; std::getline(words, word, ',');)
+                    samples.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
+            }};
 }
 }  // namespace bmc

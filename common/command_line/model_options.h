@@ -15,5 +15,8 @@ Options model_options(ModelSettings& settings);
 // The same with another option --known, for a program that knows more.
 Options model_options(ModelSettings& settings, const Option& known);
 
+// samples: a list such as 10,20,40, each at most max_process_samples.
+Option sample_list_option(std::vector<std::size_t>& samples);
+
 constexpr const char* known_remark = ": known part; sobolev 1.5 only";
 }  // namespace bmc

@@ -1,17 +1,6 @@
 #include "experiments/error_table.h"
 
-#include <sstream>
-
 namespace bmc {
-// A list such as 10,20,40.
-static std::vector<std::size_t> parse_samples(const std::string& text) {
-    std::vector<std::size_t> numbers;
-    std::istringstream words(text + ',');
-    for (std::string word; std::getline(words, word, ',');)
-        numbers.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
-    return numbers;
-}
-
 // An error that is only rounding is 0, so that programs that multiply in another order agree.
 static double absolute_error(double estimate, double truth) {
     const double error = std::fabs(estimate - truth);
@@ -97,8 +86,7 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 Options ErrorTables::options() {
     return joined({Options{text_option("integrand", "NAME",
                                        "cosine, cosine-cubed, environment or constant (default all)", integrand),
-                           {"samples", "LIST", "numbers of samples (default 10,20,30,40,50,60,70,80,90,100)",
-                            [this](const std::string& text) { settings.samples = parse_samples(text); }},
+                           sample_list_option(settings.samples),
                            integer_option("mc-estimates", "M", "estimates of MC in a mean error (default 1000)",
                                           settings.mc_estimates, 100000),
                            integer_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 1000)",

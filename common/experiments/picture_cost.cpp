@@ -69,24 +69,23 @@ ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std
     return {settings, name_of(known, known_names), [&light](const RenderSettings& s) { return picture(light, s); }};
 }
 
-std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light, bool all) {
+std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light) {
     std::vector<ComparedPicture> list;
     const auto add = [&](Method method, std::size_t pool, Placement placement, Known known = Known::nothing) {
         list.push_back(compared_picture(light, method, pool, placement, known));
     };
     add(Method::mc, 1, Placement::uniform);
+    add(Method::mc, 1, Placement::cosine);
     add(Method::direct, 1, Placement::uniform);
     add(Method::single, 1, Placement::uniform);
     add(Method::rotated, 1, Placement::uniform);
     add(Method::pool, 5, Placement::uniform);
     add(Method::pool, 20, Placement::uniform);
+    add(Method::pool, 20, Placement::cosine, Known::cosine);
     add(Method::mc, 1, Placement::fibonacci);
     add(Method::pool, 20, Placement::fibonacci);
-    add(Method::pool, 20, Placement::cosine_fibonacci, Known::cosine);
-    if (!all) return list;
-    add(Method::mc, 1, Placement::cosine);
-    add(Method::pool, 20, Placement::cosine, Known::cosine);
     add(Method::mc, 1, Placement::cosine_fibonacci);
+    add(Method::pool, 20, Placement::cosine_fibonacci, Known::cosine);
     return list;
 }
 

@@ -37,11 +37,10 @@ struct PictureCost {
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples);
 std::uint64_t seeds_of(const RenderSettings& settings);
 
-// What is compared in this light, which must outlive it, classic Monte Carlo first. With all, also the others of the
-// figure.
+// What is compared in this light, which must outlive it, classic Monte Carlo first.
 ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
                                  Known known = Known::nothing);
-std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light, bool all = false);
+std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light);
 
 // The seconds of one call: the least of four measurements, which take at least 2 ms each.
 double time_call(const std::function<void()>& action);

@@ -1,38 +1,29 @@
-// What accuracy costs: for an integral, its errors against samples and the seconds of each stage of a rule; for a
-// picture, its errors under each of the built-in lights.
+// What accuracy costs: the time of each step of a rule, and the errors and the time of a picture by every method.
 #pragma once
 
-#include "experiments/integrands.h"
+#include "command_line/model_options.h"
 #include "experiments/picture_cost.h"
 
 namespace bmc {
-struct IntegralCost {
+// The seconds of each step from drawing n directions to their weights (Sobolev 3/2, noise 0.01), measured here.
+struct RuleCost {
+    struct Step {
+        const char* name;
+        double seconds;
+    };
     std::size_t samples;
-    double mc_error;                          // root mean square, from the variance of the integrand
-    double bmc_error, bmc_error_uncertainty;  // root mean square over fresh sets, and its standard error
+    std::vector<Step> steps;
+    double z_by_sum;  // z by 50,000 random directions, which a program without a closed form needs
 
-    // Of each stage: directions, Q, its factor, z, the weights; then of an estimate, and of z by a sum over many random
-    // directions. Empty unless timed.
-    std::vector<double> seconds;
-
-    double rule_seconds() const;
-
-    // Samples with which Monte Carlo has the error of Bayesian Monte Carlo.
-    double equivalent_mc_samples() const;
-
-    // The number of integrals after which a rule, made once, has taken less time than Monte Carlo with equal error. An
-    // estimate of Monte Carlo draws its directions afresh.
-    double integrals_to_pay_off() const;
+    double seconds() const;  // of all steps
 };
-
-// Sobolev 3/2, noise 0.01, on the integrand.
-std::vector<IntegralCost> integral_costs(const Integrand& integrand, std::uint64_t seed, bool timed);
+RuleCost rule_cost(std::size_t n);
 
 // What `workbench tradeoff` prints.
 struct TradeoffReport {
     std::string environment;  // empty: the built-in lights
+    std::vector<std::size_t> samples{10, 40};
     CostSettings costs;
-    bool all = false;
 
     Options options();
     std::string report() const;
