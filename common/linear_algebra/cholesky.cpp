@@ -12,7 +12,8 @@ double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
 }
 
 // BEGIN SOLUTION inverse
-// As soon as row k of U is known, its products are subtracted from all rows below. The innermost loop runs along a row.
+// As soon as row k of U is known, its products u_ki u_kj are subtracted from all rows i below: each row has then had its
+// sum subtracted when its turn comes. The innermost loop runs along a row.
 static Matrix upper_factor(const Matrix& a) {
     const std::size_t n = a.rows();
     Matrix u = a;
@@ -45,7 +46,7 @@ std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const 
 
 std::vector<double> Cholesky::solve(std::vector<double> b) const {
     std::vector<double> x = forward_substitution(std::move(b));
-    for (std::size_t k = size(); k-- > 0;) {
+    for (std::size_t k = size(); k-- > 0;) {  // from the last row up
         for (std::size_t j = size() - 1; j > k; --j) x[k] -= upper_(k, j) * x[j];
         x[k] /= upper_(k, k);
     }

@@ -1,6 +1,7 @@
-// The Cholesky factorisation A = L L^T of a symmetric positive definite matrix (Golub & Van Loan, "Matrix
-// Computations", section 4.2), from which solutions and the inverse follow. The factor is kept as U = L^T, row by row:
-//     u_kj = (a_kj - sum over i < k of u_ik u_ij) / u_kk
+// The Cholesky factorisation A = U^T U of a symmetric positive definite matrix into an upper triangular factor U (Golub
+// & Van Loan, "Matrix Computations", section 4.2). Row k of U follows from the rows above it:
+//     u_kk = sqrt(a_kk - sum over i < k of u_ik^2),   u_kj = (a_kj - sum over i < k of u_ik u_ij) / u_kk for j > k
+// A x = b is then solved by two triangular systems: U^T y = b from the first row down, and U x = y from the last row up.
 #pragma once
 
 #include "linear_algebra/matrix.h"
@@ -24,10 +25,10 @@ public:
 
     std::size_t size() const { return upper_.rows(); }
 
-    // U = L^T: upper triangular, zero below the diagonal.
+    // U, n x n; zero below the diagonal.
     const Matrix& upper() const { return upper_; }
 
-    // y with L y = b, the first half of a solution: |y|^2 = b^T A^-1 b. b has n elements.
+    // y with U^T y = b, so that |y|^2 = b^T A^-1 b. b has n elements.
     std::vector<double> forward_substitution(std::vector<double> b) const;
 
     // x with A x = b. b has n elements.

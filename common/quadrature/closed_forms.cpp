@@ -33,8 +33,8 @@ static double complete_elliptic(double q, double root_p, double a, double b) {
 }
 
 // M(b) is 8/3 - (2/3) sqrt(2 b), so z by caps is 16 pi / 3 less (4/3) sqrt(2) times the integral of sqrt(b) over E,
-// which is 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1). Here the factor q has gone into the last two arguments:
-// they stay finite towards the equator.
+// which is 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1). cel is linear in its last two arguments: with the factor q
+// moved into them nothing is 0 times infinity.
 double sobolev_z(double cos_theta) {
     const auto [sigma, q] = PolarAngle(cos_theta);
     return 16 * pi / 3 - 8 * std::sqrt(2.0) / 3 * std::sqrt(1 + sigma) * complete_elliptic(q, 1 / q, 1 / q, q);
@@ -42,7 +42,7 @@ double sobolev_z(double cos_theta) {
 
 // With A the solution of Legendre's equation of degree 1 for this k,
 //     A(t) = (4/15) [sqrt(2) t artanh(sqrt((1 - t) / 2)) - sqrt(1 - t)],
-// the divergence theorem and one integration by parts leave complete elliptic integrals over the rim.
+// the divergence theorem and one integration by parts leave complete elliptic integrals over the horizon.
 double sobolev_cosine_z(double cos_theta) {
     const auto [sigma, q] = PolarAngle(cos_theta);
     return 8 * pi / 3 - 16 * std::sqrt(2.0) / 15 * std::sqrt(1 + sigma) *
@@ -60,9 +60,9 @@ double exponential_mean(double x) {
     return sum;
 }
 
-// z by caps as a series of positive terms, which is faster and surer for short length-scales: 2 pi M(2), the same for
-// all directions, and 2 pi times the sum over m of t_m B_m. The t_m are the terms of the modified Bessel function I_1,
-// and B_m, the integral of (1 - u^2)^m over u from 0 to c, has a recurrence.
+// A series of positive terms, so that nothing cancels at short length-scales: 2 pi M(2), which is the same for all
+// directions, plus 2 pi times the sum over m of t_m B_m. The t_m are e^-kappa times the terms of the modified Bessel
+// function I_1(kappa), and B_m, the integral of (1 - u^2)^m over u from 0 to c, has a recurrence.
 double squared_exponential_z(double cos_theta, double kappa) {
     const double ss = squared_sine(cos_theta);
     double t = kappa / 2 * portable::exp(-kappa), b = cos_theta, edge = cos_theta, sum = t * b;

@@ -1,5 +1,5 @@
-// Integrals over the hemisphere in closed form, to take on trust: tests/unit/test_covariance.cpp compares each with its
-// definition and with 20 digits made by other means.
+// Integrals over the hemisphere in closed form, to be taken on trust at a first reading: tests/unit/test_covariance.cpp
+// compares each with its definition, and with 20 digits that were computed in another way.
 #pragma once
 
 #include "numerics/portable_math.h"
@@ -7,21 +7,21 @@
 #include <algorithm>
 
 namespace bmc {
-// sin(theta)^2. Throws std::invalid_argument for a cosine outside of [0, 1], also for nan, for which no series would
-// end.
+// sin(theta)^2. Throws std::invalid_argument for a cosine outside of [0, 1]; it rejects nan, too.
 double squared_sine(double cos_theta);
 
-// The angle theta to the up axis, by its sine sigma and by q = c / (1 + sigma) in (0, 1], c its cosine. Near the
-// equator z is linear in c: q = 2^-60 in place of 0 changes it by less than 1e-17.
+// The angle theta to the up axis, c its cosine, by its sine sigma and by q = c / (1 + sigma) = sqrt((1 - sigma) / (1 +
+// sigma)), the complementary modulus of the elliptic integrals: 1 straight up, 0 on the horizon. 1 / q must stay
+// finite, so q is at least 2^-60; z is linear in c near the horizon and changes by less than 1e-17.
 struct PolarAngle {
     double sigma, q;
 
     explicit PolarAngle(double c) : sigma(std::sqrt(squared_sine(c))), q(std::max(c / (1 + sigma), 0x1p-60)) {}
 };
 
-// The integral of f(tan^2(E / 2)) over E from 0 to pi. With v = ln tan(E / 2), dE = sech(v) dv, equal steps in v crowd
-// the nodes at both ends, where f changes quickly near the equator. The trapezoidal rule then errs below rounding, as
-// e^-38 is.
+// The integral of f(tan^2(E / 2)) over E from 0 to pi. Substitute tan(E / 2) = e^v: then dE = dv / cosh v, and f
+// receives e^(2v). The integrand falls like e^-|v|, so beyond |v| = 38 it is below rounding, and in between the
+// trapezoidal rule is exact to rounding.
 template <class Function>
 double integral_over_angles(double step, Function f) {
     double sum = 0;

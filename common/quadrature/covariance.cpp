@@ -7,21 +7,24 @@
 namespace bmc {
 using portable::pi;
 
-// z of any covariance: twice the integral of M(b) over E from 0 to pi, where b is the height of a cap,
-//     b = (1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E) = (1 + sigma) (q^4 + t^2) / (q^2 + t^2),  t = tan(E / 2).
-// common/README.md derives it, with a figure: great arcs from w to the rim cut H into narrow sectors of caps around w,
-// and E is Kepler's eccentric anomaly of their azimuth. A length-scale below 1/2 needs a smaller step than 1/4.
+// z of any covariance: twice the integral of M(b) over E from 0 to pi, where b is the height of a cap, t = tan(E / 2)
+// and cos E = (1 - t^2) / (1 + t^2):
+//     b = (1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E) = (1 + sigma) (q^4 + t^2) / (q^2 + t^2)
+// common/README.md derives it, with a figure: great arcs from omega to the horizon cut H into narrow sectors of caps
+// around omega. E is the eccentric anomaly on an ellipse of eccentricity sigma whose true anomaly is the arc's azimuth.
+// A length-scale below 1/2 needs a smaller step than 1/4.
 double Covariance::z(double cos_theta) const {
     const PolarAngle theta(cos_theta);
-    const double qq = theta.q * theta.q;
+    const double q2 = theta.q * theta.q;
     return 2 * integral_over_angles(
-                   0.25, [&](double tt) { return cap_mean((1 + theta.sigma) * (qq * qq + tt) / (qq + tt)); });
+                   0.25, [&](double t2) { return cap_mean((1 + theta.sigma) * (q2 * q2 + t2) / (q2 + t2)); });
 }
 
-// 4 pi times the integral of b M(b), b = 1 - cos(rho), over rho from 0 to pi: common/README.md derives it.
+// 4 pi times the integral of b M(b), b = 1 - cos(rho) = 2 t^2 / (1 + t^2), over rho from 0 to pi, t = tan(rho / 2).
+// common/README.md derives it.
 double Covariance::zz() const {
-    return 4 * pi * integral_over_angles(0.125, [&](double tt) {
-               const double b = 2 * tt / (1 + tt);
+    return 4 * pi * integral_over_angles(0.125, [&](double t2) {
+               const double b = 2 * t2 / (1 + t2);
                return b * cap_mean(b);
            });
 }

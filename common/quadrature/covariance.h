@@ -1,7 +1,9 @@
-// Covariance functions on the sphere, and their integrals over the hemisphere H. A covariance k sees two directions
-// through the squared chord r^2 = |w - w'|^2 = 2 - 2 w.w' alone, so turning all directions about the up axis changes
-// neither Q nor z. Bayesian quadrature needs of it (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf. 1991):
-//     z(w) = integral over H of k(w, w') p(w') dw',     zz = integral over H of z(w) p(w) dw,
+// Covariance functions on the sphere, and their integrals over the hemisphere H. A covariance k depends on two
+// directions only by their squared chord r^2 = |omega - omega'|^2 = 2 - 2 omega.omega', so rotating all directions
+// about the up axis changes neither Q nor z. Bayesian quadrature needs two of its integrals (O'Hagan, "Bayes-Hermite
+// quadrature", J. Stat. Plan. Inf. 1991):
+//     z(omega) = integral over H of k(omega, omega') p(omega') d omega',  zz = integral over H of z(omega) p(omega) d
+//     omega,
 // where f p is the integrand: p is its known part, and the Gaussian process models f alone.
 #pragma once
 
@@ -14,7 +16,7 @@ namespace bmc {
 enum class Known { nothing, cosine };
 constexpr std::pair<const char*, Known> known_names[] = {{"nothing", Known::nothing}, {"cosine", Known::cosine}};
 
-// What each covariance says of itself. Only k and M have to be written; ModelSettings::make_covariance chooses one.
+// A covariance has to define k and M alone. ModelSettings::make_covariance chooses one of the classes below.
 class Covariance {
 public:
     virtual ~Covariance() = default;
@@ -22,19 +24,20 @@ public:
     // k of a squared chord, in [0, 4].
     virtual double k(double squared_chord) const = 0;
 
-    // M(b): the mean of k(w, .) over the cap around w of height b = 1 - cos(radius). Equal heights have equal areas,
-    // and the chord at depth h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over h from 0 to b.
+    // M(b): the mean of k(omega, .) over the cap around omega of height b = 1 - cos(radius). Slices of equal height
+    // have equal areas, and the chord at depth h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over
+    // h from 0 to b.
     virtual double cap_mean(double height) const = 0;
 
-    // z of a direction with this cos(theta), in [0, 1] (else it throws std::invalid_argument), and zz. By default p is
-    // 1, and both are integrals of M.
+    // z of a direction with this cos(theta), and zz. By default p is 1, and both are integrals of M. z throws
+    // std::invalid_argument for a cosine outside of [0, 1].
     virtual double z(double cos_theta) const;
     virtual double zz() const;
     virtual Known known() const { return Known::nothing; }  // p
 };
 
-// The covariance of the practice: k(r) = 8/3 - r falls straight from 8/3 to 2/3 (Sobolev 3/2, below). Its functions are
-// continuous, as radiance is between edges, with kinks.
+// The covariance of the practice, Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3.
+// Its functions are continuous with kinks, as radiance is between the edges of objects.
 class Sobolev : public Covariance {
 public:
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }

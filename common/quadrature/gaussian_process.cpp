@@ -6,13 +6,13 @@
 #include <numeric>
 
 namespace bmc {
-static double sum_of_products(const std::vector<double>& a, const std::vector<double>& b) {
+static double dot(const std::vector<double>& a, const std::vector<double>& b) {
     if (a.size() != b.size())
         throw std::invalid_argument(formatted("a process of %zu directions was given %zu values", a.size(), b.size()));
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// w = Q^-1 z, from the factor of Q.
+// w = Q^-1 z, from the factor of Q. It is a function of its own because it is a task.
 // BEGIN SOLUTION integral
 static std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z) {
     return cholesky.solve(z);
@@ -22,7 +22,7 @@ static std::vector<double> bayesian_weights(const Cholesky& cholesky, const std:
 // zz - z^T Q^-1 z, where weights = Q^-1 z. A variance is not negative; where rounding makes it so, it is 0.
 // BEGIN SOLUTION integral
 static double posterior_variance(double zz, const std::vector<double>& z, const std::vector<double>& weights) {
-    const double variance = zz - sum_of_products(z, weights);
+    const double variance = zz - dot(z, weights);
     return variance > 0 ? variance : 0;
 }
 // END SOLUTION
@@ -43,7 +43,7 @@ std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& 
 }
 // END SOLUTION
 
-// Q_ij = k(w_i, w_j) + noise^2 delta_ij, where k is a function of the squared chord |w_i - w_j|^2.
+// Q_ij = k(omega_i, omega_j) + noise^2 delta_ij, where k is a function of the squared chord |omega_i - omega_j|^2.
 // BEGIN SOLUTION inverse
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions) {
     const std::size_t n = directions.size();
@@ -57,6 +57,7 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
+// In the order of the members: each uses those before it.
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions)
     : directions_(checked(std::move(directions), noise)),
       z_(z_of(covariance, directions_)),
@@ -65,11 +66,11 @@ GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std
       variance_(posterior_variance(covariance.zz(), z_, weights_)) {}
 
 // BEGIN SOLUTION integral
-double GaussianProcess::integral(const std::vector<double>& values) const { return sum_of_products(weights_, values); }
+double GaussianProcess::integral(const std::vector<double>& values) const { return dot(weights_, values); }
 // END SOLUTION
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    const std::vector<double> y = cholesky_.forward_substitution(values);  // L y = Y, so |y|^2 = Y^T Q^-1 Y
-    return std::sqrt(sum_of_products(y, y) / static_cast<double>(values.size()));
+    const std::vector<double> y = cholesky_.forward_substitution(values);  // |y|^2 = Y^T Q^-1 Y
+    return std::sqrt(dot(y, y) / static_cast<double>(values.size()));
 }
 }  // namespace bmc

@@ -1,6 +1,6 @@
 // A Gaussian process over the hemisphere, and the Bayesian Monte Carlo estimate of an integral (Rasmussen & Ghahramani,
 // "Bayesian Monte Carlo", NIPS 2003; O'Hagan 1991):
-//     Q_ij = k(w_i, w_j) + noise^2 delta_ij,   weights = Q^-1 z,   integral of f p over H ~ sum of weights_i f(w_i),
+//     Q_ij = k(omega_i, omega_j) + noise^2 delta_ij,   w = Q^-1 z,   integral of f p over H ~ sum of w_i f(omega_i),
 // where p is the known part of the integrand, for which the covariance has z: 1 as in the practice, or cos(theta). The
 // prior mean of f is zero. Q, z and the weights depend on the directions alone, not on f: one process serves any number
 // of integrals and threads.
@@ -15,16 +15,16 @@ class GaussianProcess {
 public:
     // n >= 1 unit directions in H. noise >= 0: the standard deviation of the samples' error, in units of the amplitude
     // of f (below). Its square is added to the diagonal of Q, so that two equal directions do not make Q singular.
-    // Throws std::invalid_argument for a noise below 0, no direction, or one below the horizon, and NotPositiveDefinite
-    // if Q cannot be factored.
+    // Throws std::invalid_argument for a noise below 0, for no direction, and for a direction below the horizon;
+    // NotPositiveDefinite if Q cannot be factored.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions);
 
     const std::vector<Vec3>& directions() const { return directions_; }
 
-    // z_j, the integral over H of k(w_j, w) p(w) dw.
+    // z_j, the integral over H of k(omega_j, omega) p(omega) d omega.
     const std::vector<double>& z() const { return z_; }
 
-    // Q^-1 z, by two triangular solves.
+    // w = Q^-1 z.
     const std::vector<double>& weights() const { return weights_; }
 
     const Cholesky& cholesky() const { return cholesky_; }

@@ -1,7 +1,7 @@
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
-// sincos_turns(t) has the sine and cosine of t full turns, 2 pi t. The azimuth is 0 at +z, and a quarter turn at +x.
+// The azimuth is 0 at +z, and a quarter turn at +x.
 static Vec3 direction_at(double cos_theta, double turns) {
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
@@ -19,7 +19,7 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, Density densi
 }
 
 std::vector<Vec3> fibonacci_directions(std::size_t n, Density density) {
-    constexpr double golden = 0.61803398874989484820;  // the golden ratio less 1
+    constexpr double golden = 0.61803398874989484820;  // 1 / golden ratio: the golden angle in turns
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double index = static_cast<double>(i);
@@ -44,7 +44,7 @@ Frame::Frame(Vec3 unit_normal) : normal(unit_normal) {
 }
 
 // BEGIN SOLUTION rotate
-// to_world is linear: turning a local direction about y turns the axes that its x and z are multiplied by.
+// to_world is linear: rotating a local direction about y rotates the axes that its x and z are multiplied by.
 Frame Frame::rotated(double turns) const {
     const auto [sine, cosine] = portable::sincos_turns(turns);
     Frame frame = *this;

@@ -8,12 +8,11 @@
 #include <vector>
 
 namespace bmc {
-// Of directions, w.r.t. solid angle: 1 / (2 pi), or cos(theta) / pi.
+// The density of directions w.r.t. solid angle: 1 / (2 pi), or cos(theta) / pi.
 enum class Density { uniform, cosine };
 
-// n independent directions. With cos(theta) = u, uniform in (0, 1], they are uniform w.r.t. solid angle: their density
-// is 1 / (2 pi) (Archimedes). Density::cosine: with cos(theta) = sqrt(u) it is cos(theta) / pi (Malley's method). The
-// cosine is drawn first, then the azimuth.
+// n independent directions. u is uniform in (0, 1]. cos(theta) = u gives the uniform density (Archimedes), and
+// cos(theta) = sqrt(u) the density cos(theta) / pi (Malley's method). The cosine is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density = Density::uniform);
 
 // n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles
@@ -21,7 +20,7 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, Density densi
 // Computer Graphics Forum 2013, eq. 2).
 std::vector<Vec3> fibonacci_directions(std::size_t n, Density density = Density::uniform);
 
-// The direction turned about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
+// The direction rotated about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);
 
 // A right-handed orthonormal basis whose up axis is a surface normal: to_world carries (0, 1, 0) to the normal.
@@ -32,7 +31,7 @@ struct Frame {
     // (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis, revisited", 2017).
     explicit Frame(Vec3 unit_normal);
 
-    // This frame turned about its normal: the new to_world(v) is the old to_world(rotate_around_y(v, turns)).
+    // This frame rotated about its normal: the new to_world(v) is the old to_world(rotate_around_y(v, turns)).
     [[nodiscard]] Frame rotated(double turns) const;
 
     Vec3 to_world(Vec3 local) const { return local.x * tangent + local.y * normal + local.z * bitangent; }

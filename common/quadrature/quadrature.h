@@ -9,7 +9,7 @@
 
 namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
-// known part: 1, or cos(theta). Turning the directions about the up axis gives a rule that is as good.
+// known part: 1, or cos(theta). Rotating the directions about the up axis gives a rule that is as good.
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;
@@ -39,7 +39,7 @@ constexpr std::pair<const char*, Placement> placement_names[] = {{"uniform", Pla
                                                                  {"cosine", Placement::cosine},
                                                                  {"cosine-fibonacci", Placement::cosine_fibonacci}};
 
-// A lattice has the same directions each time, up to a turn about the up axis.
+// A lattice has the same directions each time, up to a rotation about the up axis.
 inline bool is_lattice(Placement placement) {
     return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
 }
@@ -50,7 +50,7 @@ struct DirectionSet {
     Density density = Density::uniform;
 };
 
-// A fresh set of n >= 1 directions: independent ones, or the lattice turned by a random angle.
+// A fresh set of n >= 1 directions: independent ones, or the lattice rotated by a random angle.
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
 
 // Monte Carlo: equal weights. For the density 1 / (2 pi) they are 2 pi / n. For the density cos(theta) / pi, the
