@@ -6,27 +6,28 @@
 
 namespace bmc {
 std::vector<Integrand> practice_integrands() {
-    return {{"cosine", "cos(theta)", [](Vec3 w) { return w.y; }, portable::pi},
-            {"cosine-cubed", "cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, portable::pi / 2},
+    return {{"cosine", "cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi},
+            {"cosine-cubed", "cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2},
             environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
             {"constant", "1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
     const Frame frame(normalize({0.3, 0.6, -0.7}));
-    Integrand integrand{"environment", "L(w) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
-    integrand.value = [=](Vec3 w) { return dot(luminance, light->radiance(frame.to_world(w))) * w.y; };
+    Integrand integrand{"environment", "L(omega) cos(theta), the built-in environment above a tilted surface", nullptr,
+                        0};
+    integrand.value = [=](Vec3 omega) { return dot(luminance, light->radiance(frame.to_world(omega))) * omega.y; };
     integrand.truth = reference_integral(integrand);
     return integrand;
 }
 
 double reference_integral(const Integrand& integrand) {
-    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18)}), integrand);
+    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18), Density::uniform}), integrand);
 }
 
 std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> values;
-    for (const Vec3& w : directions) values.push_back(integrand.value(w) / known_part(known, w));
+    for (const Vec3& omega : directions) values.push_back(integrand.value(omega) / known_part(known, omega));
     return values;
 }
 

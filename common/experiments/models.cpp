@@ -23,8 +23,8 @@ double parameter_of(const ModelSettings& model) {
     return model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
 }
 
-// The results of a model on the integrands, over the sets of directions. Points of one set do not err independently, so
-// a set gives one number of each kind.
+// The results of a model on the integrands, over the sets of directions. The errors at the points of one set are not
+// independent, so a set gives one number of each kind.
 struct ModelResults {
     RootMeanSquare error, predicted;
     Statistics evidence;  // per point
@@ -73,10 +73,10 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
         const int y = static_cast<int>(500 * random.uniform());
         const std::optional<Hit> hit = intersect(scene, Camera{500, 500}.ray(x, y));
         if (!hit) continue;
-        Integrand integrand{"scene", "L(w) V(w) cos(theta)", nullptr, 0};
+        Integrand integrand{"scene", "L v cos(theta)", nullptr, 0};
         integrand.value = [light, scene, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
-            const Vec3 w = frame.to_world(local);
-            return is_shadowed(scene, hit, w) ? 0 : dot(luminance, light->radiance(w)) * local.y;
+            const Vec3 omega = frame.to_world(local);
+            return is_shadowed(scene, hit, omega) ? 0 : dot(luminance, light->radiance(omega)) * local.y;
         };
         integrand.truth = estimate(dense, integrand);
         integrands.push_back(integrand);

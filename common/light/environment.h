@@ -1,7 +1,7 @@
 // Light from infinitely far away: a map of radiance over all directions. A map of W x H texels has rows of constant
 // elevation, row 0 around +y, and columns of constant azimuth, -z in the middle and +x to the right of it. A direction
 // meets column floor(u (W - 1)) and row floor(v (H - 1)), where u = (1 + atan2(x, -z) / pi) / 2 and v = acos(y) / pi.
-// So it meets the last column or row only if u or v is 1.
+// So it meets the last column or row only if u or v is 1. (This is the convention of the practice's base code.)
 #pragma once
 
 #include "numerics/vec3.h"
@@ -28,11 +28,13 @@ public:
     // std::invalid_argument for anything else, also for more than max_texels.
     EnvironmentMap(int width, int height, std::vector<float> rgb);
 
-    // A black map, for whoever paints it: finite radiance >= 0.
+    // A black map, to be filled with set: finite radiance >= 0.
     EnvironmentMap(int width, int height);
     void set(int x, int y, Color radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
-        for (const double channel : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(channel);
+        rgb[0] = static_cast<float>(radiance.x);
+        rgb[1] = static_cast<float>(radiance.y);
+        rgb[2] = static_cast<float>(radiance.z);
     }
 
     int width() const { return grid_.width; }
@@ -49,7 +51,7 @@ public:
 
     // The number of the texel that a direction of unit length meets. This runs for every ray: it is arithmetic without
     // a branch, which a compiler computes for several rays at once. Rounding can carry u or v past 0 or 1, and the
-    // conversion to int drops that error. The polynomials err by 4e-6 of a texel in a map 1024 wide.
+    // conversion to int drops that error. The error of the polynomials is 4e-6 of a texel in a map 1024 wide.
     int index(Vec3 direction) const {
         return index(static_cast<int>(grid_.column(direction.x, direction.z)),
                      static_cast<int>(grid_.row(direction.y)));

@@ -12,8 +12,8 @@ double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
 }
 
 // BEGIN SOLUTION inverse
-// As soon as row k of U is known, its products u_ki u_kj are subtracted from all rows i below: each row has then had its
-// sum subtracted when its turn comes. The innermost loop runs along a row.
+// As soon as row k of U is known, its products u_ki u_kj are subtracted from all rows i below: each row has then had
+// its sum subtracted when its turn comes. The innermost loop runs along a row.
 static Matrix upper_factor(const Matrix& a) {
     const std::size_t n = a.rows();
     Matrix u = a;

@@ -1,7 +1,8 @@
 // The Cholesky factorisation A = U^T U of a symmetric positive definite matrix into an upper triangular factor U (Golub
 // & Van Loan, "Matrix Computations", section 4.2). Row k of U follows from the rows above it:
 //     u_kk = sqrt(a_kk - sum over i < k of u_ik^2),   u_kj = (a_kj - sum over i < k of u_ik u_ij) / u_kk for j > k
-// A x = b is then solved by two triangular systems: U^T y = b from the first row down, and U x = y from the last row up.
+// A x = b is then solved by two triangular systems: U^T y = b from the first row down, and U x = y from the last row
+// up.
 #pragma once
 
 #include "linear_algebra/matrix.h"

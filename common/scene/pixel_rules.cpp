@@ -70,7 +70,7 @@ OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
         }
         case Method::pool: {
             // BEGIN SOLUTION rule_for
-            const double u = random.uniform();  // chooses the rule; a second number turns it
+            const double u = random.uniform();  // chooses the rule; a second number rotates it
             const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared_.size()));
             return {frame.rotated(random.uniform()), shared_[chosen]};
             // END SOLUTION

@@ -6,11 +6,11 @@
 
 namespace bmc {
 enum class Method {
-    mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: turned at random)
+    mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: rotated at random)
     direct,   // a fresh Gaussian process on fresh directions for every pixel
     single,   // one Gaussian process for the whole image
-    rotated,  // the same, its directions turned at random about the normal in every pixel
-    pool      // one of several Gaussian processes: a first random number chooses it, a second one turns it
+    rotated,  // the same, its directions rotated at random about the normal in every pixel
+    pool      // one of several Gaussian processes: a first random number chooses it, a second one rotates it
 };
 constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
                                                            {"direct", Method::direct},

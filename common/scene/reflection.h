@@ -1,7 +1,8 @@
 // What a pixel does with a quadrature rule: the light that a point reflects, if nothing emits but the environment
 // (Kajiya, "The rendering equation", SIGGRAPH 1986, without interreflection),
-//     L_o = integral over H of (albedo / pi) V L cos(theta) dw ~ (albedo / pi) sum of weight_i V_i L_i.
-// The visibility V is 0 in a direction that the other object shadows, and 1 in all others.
+//     L_o = integral over H of (albedo / pi) v L cos(theta) d omega ~ (albedo / pi) sum of w_i v_i L_i,
+// where L is the environment's radiance. The visibility v is 0 in a direction that the other object shadows, and 1 in
+// all others.
 #pragma once
 
 #include "light/environment.h"

@@ -12,7 +12,7 @@ static std::optional<double> distance(const Sphere& sphere, const Ray& ray) {
 }
 
 static std::optional<double> distance(const Rectangle& rectangle, const Ray& ray) {
-    const double t = (rectangle.y - ray.origin.y) / ray.direction.y;
+    const double t = (rectangle.y - ray.origin.y) / ray.direction.y;  // infinite or nan for a level ray: not inside
     const double x = ray.origin.x + t * ray.direction.x;
     const double z = ray.origin.z + t * ray.direction.z;
     const bool inside = x >= rectangle.x_min && x <= rectangle.x_max && z >= rectangle.z_min && z <= rectangle.z_max;
@@ -25,13 +25,17 @@ Ray Camera::ray(int x, int y) const {
     return {{0, 0, 0}, normalize({scale * (x + 0.5 - 0.5 * width), scale * (0.5 * height - y - 0.5), -1})};
 }
 
-Scene sphere_scene() { return {{{0, 0, -5}, 2, {0.8, 0.8, 0.8}}, {-2, -4, 4, -9, -1, {0.2, 0.8, 0.2}}}; }
+Scene sphere_scene() {
+    const Sphere sphere{{0, 0, -5}, 2, {0.8, 0.8, 0.8}};
+    const Rectangle rectangle{-2, -4, 4, -9, -1, {0.2, 0.8, 0.2}};
+    return {sphere, rectangle};
+}
 
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray) {
     const std::optional<double> to_sphere = distance(scene.sphere, ray);
     const std::optional<double> to_rectangle = distance(scene.rectangle, ray);
     if (!to_sphere && !to_rectangle) return std::nullopt;
-    if (to_sphere && !(to_rectangle && *to_rectangle < *to_sphere)) {
+    if (to_sphere && (!to_rectangle || *to_sphere <= *to_rectangle)) {
         const Vec3 point = ray.origin + *to_sphere * ray.direction;
         return Hit{Object::sphere, point, normalize(point - scene.sphere.centre), scene.sphere.albedo};
     }

@@ -1,5 +1,4 @@
-// The practice's sphere scene: one camera, one sphere on one rectangle, lit by the environment alone. It holds what
-// this picture requires and nothing else.
+// The practice's sphere scene: one camera, one sphere on one rectangle, lit by the environment alone.
 #pragma once
 
 #include "numerics/vec3.h"
@@ -61,17 +60,17 @@ void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
             if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
 }
 
-// Whether the object blocks the light that arrives from a direction at a point outside of it. `&` in place of `&&`:
-// both sides are always computed, so there is no branch. A sphere shadows if its centre lies ahead and if the squared
-// distance of the ray from it, |o|^2 - (o.d)^2 with o the offset to the centre, is less than radius^2.
+// Whether the object blocks the light that arrives from a direction at a point outside of it. A sphere does if its
+// centre lies ahead, o.d > 0 with o the offset to the centre, and the squared distance of the ray from the centre,
+// |o|^2 - (o.d)^2, is less than radius^2. `&` computes both sides, where `&&` would be a branch.
 inline bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vec3 direction) {
     const Vec3 o = sphere.centre - point;
     const double ahead = dot(o, direction);
     return (ahead > 0) & (ahead * ahead > dot(o, o) - sphere.radius * sphere.radius);
 }
 
-// The ray meets the plane at point + (height / approach) direction. Both sides of each comparison are multiplied by the
-// speed of approach, so that nothing is divided by 0.
+// The ray meets the plane at point + (height / approach) direction. Both sides of each comparison are multiplied by
+// approach, so that nothing is divided by 0.
 inline bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vec3 direction) {
     const double height = std::fabs(point.y - rectangle.y);
     const double approach = point.y < rectangle.y ? direction.y : -direction.y;
