@@ -20,7 +20,7 @@ struct PolarAngle {
 };
 
 // The integral of f(tan^2(E / 2)) over E from 0 to pi. Substitute tan(E / 2) = e^v: then dE = dv / cosh v, and f
-// receives e^(2v). The integrand falls like e^-|v|, so beyond |v| = 38 it is below rounding, and in between the
+// receives e^(2v). The integrand falls like e^-|v|, so outside of |v| <= 38 it is below rounding, and inside the
 // trapezoidal rule is exact to rounding.
 template <class Function>
 double integral_over_angles(double step, Function f) {
