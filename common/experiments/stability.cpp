@@ -37,8 +37,14 @@ int digits_of(double error) {
     return static_cast<int>(std::max(0.0, std::floor(-portable::log(error) / portable::log(10))));
 }
 
-// The same directions turned about the up axis, in the reverse order.
-std::vector<Vec3> turned(const std::vector<Vec3>& directions, double turns) {
+std::string numbers_line(const char* name, const std::vector<int>& numbers) {
+    std::string line = formatted("# %-50s", name);
+    for (const int number : numbers) line += formatted("%5d", number);
+    return line + '\n';
+}
+
+// The same directions rotated about the up axis, in the reverse order.
+std::vector<Vec3> rotated(const std::vector<Vec3>& directions, double turns) {
     std::vector<Vec3> reverse;
     for (std::size_t i = directions.size(); i-- > 0;) reverse.push_back(rotate_around_y(directions[i], turns));
     return reverse;
@@ -69,14 +75,14 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
         stability = {INFINITY, stability_constant(rule)};
         double difference = 0, largest = 0;
         for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
-            const QuadratureRule other = bayesian_rule(covariance, noise, turned(directions, turns));
+            const QuadratureRule other = bayesian_rule(covariance, noise, rotated(directions, turns));
             for (std::size_t i = 0; i < rule.size(); ++i) {
                 difference = std::max(difference, std::fabs(rule.weights[i] - other.weights[rule.size() - 1 - i]));
                 largest = std::max(largest, std::fabs(rule.weights[i]));
             }
         }
         stability->weight_error = difference / largest;
-    } catch (const NotPositiveDefinite&) {  // of the set, or of a turned one
+    } catch (const NotPositiveDefinite&) {  // of the set, or of a rotated one
     }
     return stability;
 }
@@ -84,9 +90,9 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
 std::string stability_report() {
     std::string text =
         "# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all\n"
-        "# directions are turned about the up axis, which must not change a weight (-: the matrix is refused). Then "
-        "the\n"
-        "# stability constant S: Monte Carlo has 1; above 2, pictures get worse than Monte Carlo's.\n"
+        "# directions are rotated about the up axis, which must not change a weight (-: the matrix is refused). Then\n"
+        "# the stability constant S: Monte Carlo has 1; above 2, pictures are usually worse than those of Monte "
+        "Carlo.\n"
         "#                                                   digits at a noise of               S at a noise of\n"
         "# set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6    "
         "    0\n";
@@ -109,13 +115,9 @@ std::string stability_report() {
         }
         text += constants + '\n';
     }
-    for (const auto& [name, numbers] : {std::pair("refused (-)", refused), {"fewest digits of the others", fewest}}) {
-        text += formatted("# %-50s", name);
-        for (const int number : numbers) text += formatted("%5d", number);
-        text += '\n';
-    }
-    return text +
-           "# In the cluster the squared exponential of two directions rounds to 1. No turning shows that: of the "
-           "digits at\n# 1e-6 only 3 are right.\n";
+    return text + numbers_line("refused (-)", refused) + numbers_line("fewest digits of the others", fewest) +
+           "# In the cluster the squared exponential of two directions rounds to 1. Rotating cannot show this: only 3 "
+           "of\n"
+           "# the digits at 1e-6 are right.\n";
 }
 }  // namespace bmc

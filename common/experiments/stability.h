@@ -1,5 +1,5 @@
 // Where the arithmetic of a Gaussian process breaks: how many digits of its weights are right at the extremes of the
-// number of samples, the noise, the covariance and the sample set. Turning all directions about the up axis must not
+// number of samples, the noise, the covariance and the sample set. Rotating all directions about the up axis must not
 // change a weight (covariance.h), but it changes every rounding error. The digits that stay the same are right.
 #pragma once
 
@@ -16,13 +16,13 @@ constexpr std::pair<const char*, SampleSet> sample_set_names[] = {{"random", Sam
                                                                   {"pole", SampleSet::pole},
                                                                   {"cluster", SampleSet::cluster}};
 
-// n directions: random and uniform; half as many, each of them twice; all on the rim; all at the pole; all within 1e-8
-// of one direction.
+// n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
+// 1e-8 of one direction.
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 
 struct Stability {
-    double weight_error;  // the largest difference from the weights of four turned sets, over the largest weight;
-                          // infinite if a turned set is refused
+    double weight_error;  // the largest difference from the weights of four rotated sets, over the largest weight;
+                          // infinite if a rotated set is refused
     double constant;      // stability_constant
 };
 
