@@ -1,5 +1,6 @@
 #include "experiments/rule.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -41,18 +42,27 @@ static std::string estimate_line(const GaussianProcess& process, Known known, co
         amplitude > 0 ? formatted("%.6g", process.standard_error(values)).c_str() : "unknown, since all values are 0");
 }
 
+// What is no number counts as NAN.
+static std::vector<double> columns_of(const std::string& line) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    words.exceptions(std::ios::badbit);  // a lack of memory does not end the line
+    std::vector<double> columns;
+    for (std::string word; words >> word;) {
+        char* end = nullptr;
+        const double column = std::strtod(word.c_str(), &end);
+        columns.push_back(end == word.c_str() + word.size() ? column : NAN);
+    }
+    return columns;
+}
+
 Samples read_samples(std::istream& in) {
+    in.exceptions(std::ios::badbit);  // an error of reading does not end the file
     Samples samples;
-    std::size_t number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        std::istringstream words(line.substr(0, line.find('#')));
-        std::vector<double> columns;
-        for (std::string word; words >> word;) {
-            char* end = nullptr;
-            const double column = std::strtod(word.c_str(), &end);
-            columns.push_back(*end == '\0' ? column : NAN);
-        }
+    char line[4096];
+    std::size_t number = 1;
+    for (; number < 65536 && in.getline(line, sizeof line); ++number) {
+        const std::vector<double> columns =
+            columns_of(std::string(line, static_cast<std::size_t>(in.gcount()) - !in.eof()));
         if (columns.empty()) continue;
         const std::size_t n = columns.size();
         const Vec3 w = n >= 3 && n <= 5 ? Vec3{columns[0], columns[1], columns[2]} : Vec3{};
@@ -61,13 +71,16 @@ Samples read_samples(std::istream& in) {
                 formatted("line %zu: it should be x y z, x y z value, or x y z z_j weight", number) +
                 ", with a direction (x, y, z) of length 1 and y >= 0");
         samples.directions.push_back(w);
-        if (columns.size() == 4) samples.values.push_back(columns[3]);
+        if (n == 4) samples.values.push_back(columns[3]);
+        if (samples.directions.size() > max_process_samples)
+            throw std::runtime_error(formatted("line %zu: at most 4096 directions are allowed", number));
     }
+    if (!in.eof())
+        throw std::runtime_error(formatted("line %zu: fewer than 65536 lines of fewer than 4096 characters", number) +
+                                 " are allowed");
     if (!samples.values.empty() && samples.values.size() != samples.directions.size())
         throw std::runtime_error("there are values in some lines only: all lines have one, or none has");
-    if (samples.directions.empty() || samples.directions.size() > max_process_samples)
-        throw std::runtime_error(
-            formatted("there are %zu directions, and 1 to 4096 are allowed", samples.directions.size()));
+    if (samples.directions.empty()) throw std::runtime_error("there is no direction in the file");
     return samples;
 }
 
@@ -89,6 +102,7 @@ std::string RuleReport::report() const {
         std::ifstream file(directions);
         if (directions != "-" && !file) throw std::runtime_error(directions + ": this file cannot be read");
         given = read_samples(directions == "-" ? std::cin : file);
+        if (std::ferror(stdin)) throw std::runtime_error("standard input cannot be read to its end");
     }
     const auto covariance = settings.make_covariance();
     const GaussianProcess process(*covariance, settings.noise, given.directions);

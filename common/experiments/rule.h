@@ -13,8 +13,9 @@ struct Samples {
 };
 
 // Reads lines "x y z", "x y z value", or "x y z z_j weight" as the report has them; # begins a comment. Throws
-// std::runtime_error that names the line for anything else, for a length that is not 1 within 1e-6, and for a direction
-// below the horizon.
+// std::runtime_error that names the line for anything else, for a length that is not 1 within 1e-6, for a direction
+// below the horizon, and for more than 4096 directions, 65535 lines or 4095 characters in a line; so a file without an
+// end takes little memory. An error of reading is an exception, too.
 Samples read_samples(std::istream& in);
 
 // What `workbench rule` prints: directions, z and weights; what the weights sum to; with values the estimate of their

@@ -11,10 +11,12 @@ namespace {
 using Rgbe = std::array<unsigned char, 4>;
 
 std::string header_line(std::istream& in) {
-    std::string line;
-    if (!std::getline(in, line)) throw std::runtime_error("the file ends inside the header");
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    return line;
+    char line[4096];
+    if (!in.getline(line, sizeof line))
+        throw std::runtime_error(in.eof() ? "the file ends inside the header" : "a line of the header is too long");
+    std::string text = line;
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    return text;
 }
 
 struct Size {
@@ -22,16 +24,20 @@ struct Size {
 };
 
 Size read_header(std::istream& in) {
+    in.exceptions(std::ios::badbit);  // an error of reading does not end the file
     const std::string program = header_line(in);
     if (program != "#?RADIANCE" && program != "#?RGBE")
         throw std::runtime_error("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
-    for (std::string line = header_line(in); !line.empty(); line = header_line(in))
+    int lines = 0;
+    for (std::string line = header_line(in); !line.empty(); line = header_line(in)) {
+        if (++lines > 1000) throw std::runtime_error("the header has more than 1000 lines");
         if (line.compare(0, 7, "FORMAT=") == 0 && line != "FORMAT=32-bit_rle_rgbe")
             throw std::runtime_error("'" + line + "' is not supported, only FORMAT=32-bit_rle_rgbe is");
+    }
     const std::string line = header_line(in);
     Size size{};
     char more;
-    if (std::sscanf(line.c_str(), "-Y %d +X %d %c", &size.height, &size.width, &more) != 2 || size.width < 1 ||
+    if (std::sscanf(line.c_str(), "-Y %9d +X %9d %c", &size.height, &size.width, &more) != 2 || size.width < 1 ||
         size.height < 1 || std::int64_t{size.width} * size.height > EnvironmentMap::max_texels)
         throw std::runtime_error("resolution line '" + line + "': it should be '-Y height +X width', with at most " +
                                  std::to_string(EnvironmentMap::max_texels) + " texels");
@@ -64,15 +70,15 @@ void read_component(std::istream& in, std::vector<Rgbe>& scanline, std::size_t c
 }
 
 // Run-length coded scanlines begin with a texel (2, 2, high, low), which is no colour. All others are flat.
-void read_scanline(std::istream& in, std::vector<Rgbe>& scanline) {
-    const std::size_t width = scanline.size();
-    scanline[0] = texel(in);
+void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanline) {
+    scanline.assign(1, texel(in));
     const auto [two, also_two, high, low] = scanline[0];
     if (two != 2 || also_two != 2 || high >= 128 || width < 8 || width > 32767) {
-        for (std::size_t x = 1; x < width; ++x) scanline[x] = texel(in);
+        while (scanline.size() < width) scanline.push_back(texel(in));
     } else {
         if (high * 256u + low != width)
             throw std::runtime_error("the scanline announces another width than the header");
+        scanline.resize(width);
         for (std::size_t component = 0; component < 4; ++component) read_component(in, scanline, component);
     }
 }
@@ -82,10 +88,10 @@ void read_scanline(std::istream& in, std::vector<Rgbe>& scanline) {
 // Radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
 EnvironmentMap read_radiance_hdr(std::istream& in) {
     const Size size = read_header(in);
-    std::vector<Rgbe> scanline(static_cast<std::size_t>(size.width));
+    std::vector<Rgbe> scanline;
     std::vector<float> rgb;
     for (int row = 0; row < size.height; ++row) {
-        read_scanline(in, scanline);
+        read_scanline(in, static_cast<std::size_t>(size.width), scanline);
         for (const Rgbe& rgbe : scanline) {
             const float scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0f, rgbe[3] - 136);
             for (std::size_t i = 0; i < 3; ++i) rgb.push_back(static_cast<float>(rgbe[i]) * scale);

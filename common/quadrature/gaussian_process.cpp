@@ -70,7 +70,13 @@ double GaussianProcess::integral(const std::vector<double>& values) const { retu
 // END SOLUTION
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    const std::vector<double> y = cholesky_.forward_substitution(values);  // |y|^2 = Y^T Q^-1 Y
-    return std::sqrt(dot(y, y) / static_cast<double>(values.size()));
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::fabs(value));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    std::vector<double> scaled = values;  // by a power of 2, so that squares are neither infinite nor 0
+    for (double& value : scaled) value = std::ldexp(value, -exponent);
+    const std::vector<double> y = cholesky_.forward_substitution(scaled);  // |y|^2 = Y^T Q^-1 Y
+    return std::ldexp(std::sqrt(dot(y, y) / static_cast<double>(values.size())), exponent);
 }
 }  // namespace bmc
