@@ -60,7 +60,7 @@ Samples read_samples(std::istream& in) {
     Samples samples;
     char line[4096];
     std::size_t number = 1;
-    for (; number < 65536 && in.getline(line, sizeof line); ++number) {
+    for (; in.getline(line, sizeof line) && number < 65536; ++number) {
         const std::vector<double> columns =
             columns_of(std::string(line, static_cast<std::size_t>(in.gcount()) - !in.eof()));
         if (columns.empty()) continue;
@@ -75,7 +75,7 @@ Samples read_samples(std::istream& in) {
         if (samples.directions.size() > max_process_samples)
             throw std::runtime_error(formatted("line %zu: at most 4096 directions are allowed", number));
     }
-    if (!in.eof())
+    if (!in.fail() || !in.eof())  // a line too many, or a longer one
         throw std::runtime_error(formatted("line %zu: fewer than 65536 lines of fewer than 4096 characters", number) +
                                  " are allowed");
     if (!samples.values.empty() && samples.values.size() != samples.directions.size())

@@ -29,6 +29,7 @@ def z(k, c, known_cosine):
     return quad(over_circle, sorted(p for p in pieces if p <= pi - asin(c)))
 
 
+print('R"(')  # a literal of C++, which a test includes
 print("kernel parameter", *COSINES, "zz")
 for kernel, parameters in [
     ("sobolev", "1.01 1.1 1.4 1.5 1.9 1.99"),
@@ -42,3 +43,4 @@ for kernel, parameters in [
         row.append(2 * pi * quad(lambda c: z(k, c, known) * (c if known else 1), [0, 0.01, 0.1, 0.5, 1]))
         mp.dps = 40
         print(kernel, parameter, *(nstr(each, 20) for each in row), flush=True)
+print(')"')

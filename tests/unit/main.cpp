@@ -1,7 +1,5 @@
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#define DOCTEST_CONFIG_IMPLEMENT
 #include "test.h"
-
-#include <unistd.h>
 
 std::string stderr_of(const std::function<void()>& f) {
     std::FILE *const printed = std::tmpfile(), *const nowhere = std::tmpfile();
@@ -19,4 +17,9 @@ std::string stderr_of(const std::function<void()>& f) {
     close(out), close(err), std::fclose(printed), std::fclose(nowhere);
     if (!problem.empty()) throw std::runtime_error(problem);
     return text;
+}
+
+int main(int argc, char** argv) {
+    unsetenv("POSIXLY_CORRECT");  // getopt would stop at the first word that is no option
+    return doctest::Context(argc, argv).run();
 }

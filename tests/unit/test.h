@@ -17,6 +17,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <unistd.h>
+
 using namespace bmc;
 using portable::pi;
 
@@ -24,11 +26,47 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 inline double relative(double a, double b) { return std::fabs(a / b - 1); }
-inline bool same(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-inline bool same(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](Vec3 p, Vec3 q) { return same(p, q); });
-}
+namespace bmc {
+inline bool operator==(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+}  // namespace bmc
+
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// What a text equals that holds this part: a failed check shows both.
+struct Containing {
+    std::string part;
+};
+inline bool operator==(const std::string& text, const Containing& some) { return contains(text, some.part); }
+
+// What a failed check shows of vectors: all three numbers, and up to a dozen elements.
+namespace doctest {
+template <>
+struct StringMaker<Vec3> {
+    static String convert(Vec3 v) { return formatted("{%.17g, %.17g, %.17g}", v.x, v.y, v.z).c_str(); }
+};
+template <>
+struct StringMaker<Containing> {
+    static String convert(const Containing& some) { return ("... " + some.part + " ...").c_str(); }
+};
+template <class T>
+struct StringMaker<std::vector<T>> {
+    static String convert(const std::vector<T>& all) {
+        String text = "{";
+        for (std::size_t i = 0; i < all.size() && i < 12; ++i) text += (i ? ", " : "") + toString(all[i]);
+        return text + (all.size() > 12 ? ", ...}" : "}");
+    }
+};
+}  // namespace doctest
+
+// The first place where two lists differ, with both elements; empty if there is none.
+template <class T>
+std::string first_difference(const std::vector<T>& a, const std::vector<T>& b) {
+    std::size_t i = 0;
+    while (i < std::min(a.size(), b.size()) && a[i] == b[i]) ++i;
+    if (i == a.size() && i == b.size()) return "";
+    const auto at = [&](const std::vector<T>& all) { return i < all.size() ? doctest::toString(all[i]) : "nothing"; };
+    return formatted("element %zu: %s and %s", i, at(a).c_str(), at(b).c_str());
+}
 
 // The message of the exception that f throws; empty if it throws none.
 inline std::string message_of(const std::function<void()>& f) {
@@ -43,12 +81,21 @@ inline std::string message_of(const std::function<void()>& f) {
 // What f prints on standard error. Standard output is no terminal meanwhile.
 std::string stderr_of(const std::function<void()>& f);
 
-// A file that exists as long as this object.
+// A file that exists as long as this object, of a name that no other process has.
 struct TemporaryFile {
-    const std::string name = (std::filesystem::temp_directory_path() / "file_of_unit_tests").string();
+    std::string name = (std::filesystem::temp_directory_path() / "bmc-XXXXXX").string();
 
-    explicit TemporaryFile(const std::string& content) { std::ofstream(name, std::ios::binary) << content; }
+    explicit TemporaryFile(const std::string& content) {
+        close(mkstemp(name.data()));
+        std::ofstream(name, std::ios::binary) << content;
+    }
     ~TemporaryFile() { std::filesystem::remove(name); }
+};
+
+// What cannot be read beyond these bytes.
+struct FailingBuffer : std::stringbuf {
+    using std::stringbuf::stringbuf;
+    int_type underflow() override { throw std::ios::failure("an error of reading"); }
 };
 
 // Lets the options take what stands in these arguments of a program, and returns what they leave.
@@ -59,6 +106,13 @@ inline std::vector<std::string> parse(std::vector<std::string> words, const Opti
     argv.push_back(nullptr);
     optind = 0;  // a fresh scan
     return parse_options(static_cast<int>(words.size()), argv.data(), options);
+}
+
+// Whether options take the words of one list and refuse those of the other.
+inline void check_ranges(const Options& options, const std::vector<std::string>& within,
+                         const std::vector<std::string>& beyond) {
+    for (const std::string& word : within) CHECK_MESSAGE(message_of([&] { parse({word}, options); }) == "", word);
+    for (const std::string& word : beyond) CHECK_THROWS_AS_MESSAGE(parse({word}, options), std::invalid_argument, word);
 }
 
 // The rows of a table that are not comments, as words.

@@ -10,7 +10,7 @@ static ErrorRow row_of(const Integrand& integrand, std::size_t samples, std::siz
     return error_rows({integrand}, samples, settings)[0];
 }
 
-TEST_CASE("errors are those of estimates on the same directions for both methods, beside what the process predicts") {
+TEST_CASE("both methods' errors are those of estimates on the same directions") {
     const ErrorRow row = row_of(cosine_integrand, 10, 3, 2);
     Statistics mc, bmc, predicted;
     for (std::size_t e = 0; e < 3; ++e) {
@@ -22,15 +22,18 @@ TEST_CASE("errors are those of estimates on the same directions for both methods
         bmc.add(std::fabs(process.integral(values) - pi));
         predicted.add(std::sqrt(2 / pi) * process.standard_error(values));
     }
-    CHECK((row.samples == 10 && row.mc.count == 3 && row.bmc.count == 2));
-    CHECK((relative(row.mc.mean, mc.mean) < 1e-14 && relative(row.bmc.mean, bmc.mean) < 1e-14));
+    CHECK(row.samples == 10);
+    CHECK(row.mc.count == 3);
+    CHECK(row.bmc.count == 2);
+    CHECK(relative(row.mc.mean, mc.mean) < 1e-14);
+    CHECK(relative(row.bmc.mean, bmc.mean) < 1e-14);
     CHECK(relative(row.predicted.mean, predicted.mean) < 1e-14);
 }
 
 TEST_CASE("an error of rounding counts as none, a larger one counts, however small") {
     for (const double off : {0.0, 2e-13, 5e-12}) {
         const Integrand constant{"", "", [](Vec3) { return 1.0; }, (1 + off) * 2 * pi};
-        CHECK((row_of(constant, 30, 100, 1).mc.mean > 0) == (off > 1e-12));
+        CHECK_MESSAGE((row_of(constant, 30, 100, 1).mc.mean > 0) == (off > 1e-12), off);
     }
 }
 
@@ -40,36 +43,40 @@ TEST_CASE("a row of which a later process is refused has no errors of those befo
     settings.noise = 0;
     for (const std::size_t estimates : {1u, 10u}) {
         settings.bmc_estimates = estimates;
+        CAPTURE(estimates);
         const ErrorRow row = error_rows({cosine_integrand}, 90, settings)[0];
-        CHECK((row.refusal.empty() == (estimates == 1) && row.bmc.count == (estimates == 1)));
+        CHECK(row.refusal.empty() == (estimates == 1));
+        CHECK(row.bmc.count == (estimates == 1));
         CHECK(row.predicted.count == row.bmc.count);
     }
 }
 
-TEST_CASE("a line of the table has four digits, and - for what has no meaning; the gain is a quotient of errors") {
+TEST_CASE("a line of the table has four digits, and - for what has no meaning") {
     ErrorRow row{10, {}, {}, {}, "refused"};
     for (const double error : {0.123456, 0.223456}) row.mc.add(error);
-    const auto shows = [&](Placement placement, const std::string& line) {
-        return rows_of(error_report(cosine_integrand, {row}, placement)) == rows_of(line);
+    const auto check = [&](Placement placement, const std::string& line) {
+        CHECK(rows_of(error_report(cosine_integrand, {row}, placement)) == rows_of(line));
     };
-    CHECK(shows(Placement::uniform, "10 0.1735 0.05 - - - - -"));
+    check(Placement::uniform, "10 0.1735 0.05 - - - - -");
     row.bmc.add(0.0867280);
     row.predicted.add(0.01);
-    CHECK((row.gain() == 2 && row.equivalent_mc_samples() == 40));
-    CHECK(shows(Placement::cosine, "10 0.1735 0.05 0.08673 - 0.01 2 40"));
-    CHECK(shows(Placement::fibonacci, "10 0.1735 0.05 0.08673 - 0.01 2 -"));
+    CHECK(row.gain() == 2);
+    CHECK(row.equivalent_mc_samples() == 40);
+    check(Placement::cosine, "10 0.1735 0.05 0.08673 - 0.01 2 40");
+    check(Placement::fibonacci, "10 0.1735 0.05 0.08673 - 0.01 2 -");
     row.bmc.add(0.0867280 * (1 + 1e-14));  // which differ by rounding
-    CHECK(shows(Placement::fibonacci, "10 0.1735 0.05 0.08673 0 0.01 2 -"));
+    check(Placement::fibonacci, "10 0.1735 0.05 0.08673 0 0.01 2 -");
     row.mc = {};
     CHECK(std::isnan(row.gain()));
 }
 
-TEST_CASE("the tables have a line for each number of samples; one that a process refuses has no errors and is named") {
-    const auto tables = [](const std::vector<std::string>& words) {
-        ErrorTables all;
-        parse(words, all.options());
-        return all;
-    };
+static ErrorTables tables(const std::vector<std::string>& words) {
+    ErrorTables all;
+    parse(words, all.options());
+    return all;
+}
+
+TEST_CASE("the tables have a line for each number of samples, a refused one, too") {
     std::string output;
     try {
         tables({"--samples=4,1,50", "--bmc-estimates=2", "--covariance=squared-exponential", "--length-scale=100",
@@ -78,13 +85,20 @@ TEST_CASE("the tables have a line for each number of samples; one that a process
     } catch (const PartialOutput& incomplete) {
         output = incomplete.output + incomplete.what();
     }
-    CHECK(contains(output, "\nno Gaussian process with these samples: 50; the matrix of 50 rows is not positive"));
+    CHECK(output == Containing{"\nno Gaussian process with these samples: 50; the matrix of 50 rows is not positive"});
     const auto rows = rows_of(output);
     REQUIRE(rows.size() == 4 * 3 + 1);
-    CHECK((rows[0][0] == "4" && rows[1][0] == "1" && rows[1][3] != "-" && rows[2][3] == "-" && rows[2][5] == "-"));
+    CHECK(rows[0][0] == "4");
+    CHECK(rows[1][0] == "1");
+    CHECK(rows[1][3] != "-");
+    CHECK(rows[2][3] == "-");
+    CHECK(rows[2][5] == "-");
     CHECK(rows_of(tables({"--samples=2", "--bmc-estimates=2", "--mc-estimates=3"}).report()).size() == 4);
+}
+
+TEST_CASE("mistakes in the options of the tables are refused") {
     for (const std::string list : {"", "1,", ",1", "0", "4097", "1, 2"})
-        CHECK_THROWS_AS(tables({"--samples=" + list}), std::invalid_argument);
+        CHECK_THROWS_AS_MESSAGE(tables({"--samples=" + list}), std::invalid_argument, list);
     CHECK(message_of([&] { tables({"--integrand=sine"}).report(); }) ==
           "--integrand: 'sine' is not cosine, cosine-cubed, environment or constant");
     CHECK_THROWS_AS(tables({"--smoothness=1.25", "--known=cosine"}).report(), std::invalid_argument);

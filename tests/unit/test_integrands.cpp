@@ -6,7 +6,9 @@ TEST_CASE("the practice's integrands are its four functions, with their integral
     const std::vector<Integrand> all = practice_integrands();
     const Vec3 here{0.48, 0.8, 0.36};
     REQUIRE(all.size() == 4);
-    CHECK((all[0].value(here) == 0.8 && std::fabs(all[1].value(here) - 0.512) < 1e-15 && all[3].value(here) == 1));
+    CHECK(all[0].value(here) == 0.8);
+    CHECK(std::fabs(all[1].value(here) - 0.512) < 1e-15);
+    CHECK(all[3].value(here) == 1);
     for (const Integrand& integrand : all) {
         double sum = 0;
         for (const Vec3& w : fibonacci_directions(100000)) sum += 2 * pi / 1e5 * integrand.value(w);
@@ -14,25 +16,27 @@ TEST_CASE("the practice's integrands are its four functions, with their integral
     }
 }
 
-TEST_CASE("the integrand of a light is its luminance above a tilted surface, times cos(theta)") {
+TEST_CASE("the integrand of a light is luminance above a tilted surface, times cos(theta)") {
     const auto even = std::make_shared<const EnvironmentMap>(map_of(2, 2, [](int, int) { return Color{1, 2, 4}; }));
     const auto map = std::make_shared<const EnvironmentMap>(coloured_map(16, 9));
     const double luminance_of_light = 0.2126 + 2 * 0.7152 + 4 * 0.0722;
     CHECK(relative(environment_integrand(even).value({0.6, 0.8, 0}), 0.8 * luminance_of_light) < 1e-15);
-    CHECK(relative(environment_integrand(even).truth, pi * luminance_of_light) <
-          1e-9);  // midpoints, of a linear function
+    CHECK(relative(environment_integrand(even).truth, pi * luminance_of_light) < 1e-9);  // midpoints of a line
     CHECK(relative(environment_integrand(map).value({0, 1, 0}),
                    dot(luminance, map->radiance(normalize({0.3, 0.6, -0.7})))) < 1e-15);
 }
 
-TEST_CASE("samples are values over the known part, a rule sums them with its weights; estimate e has its own stream") {
+TEST_CASE("an integrand's samples are over the known part, and a rule sums them") {
     const Integrand integrand{"", "", [](Vec3 w) { return 2 + w.x; }, 0};
-    const std::vector<Vec3> directions{{0.6, 0.8, 0}, {0, 0.5, 0}};
-    CHECK(evaluate(integrand, directions) == std::vector<double>{2.6, 2});
-    CHECK(evaluate(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4});
-    CHECK(relative(estimate({directions, {10, 100}, Known::cosine}, integrand), 432.5) < 1e-15);
+    const std::vector<Vec3> directions{{0.6, 0.8, 0}, {0, 0.5, 0}, {0, 0x1p-40, 0}};  // the last at the horizon
+    CHECK(evaluate(integrand, directions) == std::vector<double>{2.6, 2, 2});
+    CHECK(evaluate(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4, 0x1p41});
+    CHECK(relative(estimate({directions, {10, 100, 0}, Known::cosine}, integrand), 432.5) < 1e-15);
+}
+
+TEST_CASE("estimate e of n samples draws from stream n 2^32 + e") {
     ModelSettings settings;
     settings.seed = 9;
     Random random(9, (std::uint64_t{3} << 32) + 7);
-    CHECK(same(directions_of_estimate(settings, 3, 7).directions, random_directions(3, random)));
+    CHECK(directions_of_estimate(settings, 3, 7).directions == random_directions(3, random));
 }

@@ -3,10 +3,11 @@
 
 using namespace bmc::beyond;
 
-TEST_CASE("the sun has half of its share of the samples, at least one, and the sky has the others, at least one") {
+TEST_CASE("the sun has half of its share of the samples, the sky the rest, each at least 1") {
     const EnvironmentMap map = sunny_map(), even = even_map(2, 2, 1);
     const PrefilteredEnvironment sunny(map), dim(even);
     for (const std::size_t samples : {1u, 2u, 5u, 10u, 40u}) {
+        CAPTURE(samples);
         const double half = 0.5 * sunny.sun().share() * static_cast<double>(samples);
         const std::size_t rays = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(half)));
         CHECK(sun_samples(sunny, samples) == rays);
@@ -16,7 +17,7 @@ TEST_CASE("the sun has half of its share of the samples, at least one, and the s
     }
 }
 
-TEST_CASE("the sky's fraction is sum of w L V over sum of w L; a colour is E_sky times it plus E_sun times the sun's") {
+TEST_CASE("a colour is the irradiance times the visible fraction, of the sky and of the sun") {
     const Scene scene = test_scene();
     const EnvironmentMap map = sunny_map();
     const PrefilteredEnvironment light(map);
@@ -32,10 +33,10 @@ TEST_CASE("the sky's fraction is sum of w L V over sum of w L; a colour is E_sky
             const Vec3 direction = oriented.frame.to_world(oriented.rule->directions[i]);
             sky.add(oriented.rule->weights[i] * means.radiance(direction), !is_shadowed(scene, hit, direction));
         }
-        CHECK(same(visible_sky(scene, means, hit, *oriented.rule, oriented.frame), sky.fraction()));
+        CHECK(visible_sky(scene, means, hit, *oriented.rule, oriented.frame) == sky.fraction());
         const Color sun = sample_sun(scene, light.sun(), hit, 3, random).fraction();
         const Color all = light.sky_irradiance(hit.normal) * sky.fraction() + light.sun_irradiance(hit.normal) * sun;
-        CHECK(same(shade(hit, x, y), 1 / pi * (hit.albedo * all)));
+        CHECK(shade(hit, x, y) == 1 / pi * (hit.albedo * all));
         partly += sky.fraction().x < 1 && sky.fraction().x > 0;
     });
     CHECK(partly > 10);

@@ -12,14 +12,19 @@ TEST_CASE("coverage counts the errors of at most two predicted ones, colour by c
 }
 
 // Of the 200,000 directions 200 meet the sun.
-TEST_CASE("the dense truth agrees with a picture by many directions, under a sun, too, and gives a lamp its own rays") {
+TEST_CASE("the dense truth under a sun agrees with a picture by many directions") {
     const Scene scene = sphere_scene();
     RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = sunny_map();
     const Image many = render(scene, map, settings, environment_shader(scene, map, PixelRules(settings)));
     const ImageError error = image_error(many, truth_with_sun(map, settings, 3000));
-    CHECK((error.rmse < 0.01 && std::fabs(error.brightness) < 2e-3));
+    CHECK(error.rmse < 0.01);
+    CHECK(std::fabs(error.brightness) < 2e-3);
+}
+
+TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
+    const RenderSettings settings = small_picture(Method::mc, 1, 10);
     EnvironmentMap lamp = even_map(64, 32, 1);
     lamp.set(20, 8, {50, 50, 50});
     CHECK(image_error(truth_with_sun(lamp, settings, 1000), truth_with_sun(lamp, settings, 30000)).rmse < 0.003);

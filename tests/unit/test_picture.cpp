@@ -3,7 +3,7 @@
 
 using namespace bmc::beyond;
 
-TEST_CASE("a picture is rendered by the environment's light or, where that is known, by its averages and its sun") {
+TEST_CASE("a picture is rendered by the light or, where that is known, by its averages") {
     const Scene scene = sphere_scene();
     const EnvironmentMap map = sunny_map();
     const PrefilteredEnvironment averages(map);
@@ -12,7 +12,8 @@ TEST_CASE("a picture is rendered by the environment's light or, where that is kn
         const PixelRules rules(known ? sky_settings(settings, averages) : RenderSettings(settings));
         const Shader shade = known ? known_light_shader(scene, averages, rules, sun_samples(averages, 9))
                                    : environment_shader(scene, map, rules);
-        CHECK(same(picture(EnvironmentLight(map, known, 1), settings).pixels,
-                   render(scene, map, settings, shade).pixels));
+        CAPTURE(known);
+        CHECK(first_difference(picture(EnvironmentLight(map, known, 1), settings).pixels,
+                               render(scene, map, settings, shade).pixels) == "");
     }
 }

@@ -24,10 +24,10 @@ static double sincos_error(double turns) {
 }
 
 // Measured: 0.75 (exp and pow), 0.82 (log), 0.93 (sincos). x has every binary exponent alike.
-TEST_CASE("exp, log and sincos_turns err by at most 1 ulp over their whole range, pow by 1 + 3 |y ln x|") {
+TEST_CASE("exp, log and sincos_turns are off by at most 1 ulp, pow by 1 + 3 |y ln x|") {
     Random random(1, 1);
     const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
-    for (int i = 0; i < 150000; ++i) {
+    for (int i = 0; i < 50000; ++i) {
         const double x = std::ldexp(1 + random.uniform(), static_cast<int>(random.bits() % 2098) - 1074);
         const double width = i % 3 == 0 ? 690 : i % 3 == 1 ? 0.5 : 1e-12, base = portable::exp(between(-width, width));
         const double power = between(-745, 710) / (base == 1 ? 1 : portable::log(base)),
@@ -35,11 +35,12 @@ TEST_CASE("exp, log and sincos_turns err by at most 1 ulp over their whole range
         const long double truth = std::pow(static_cast<long double>(base), static_cast<long double>(power));
         const double turns = std::nextafter(0.125 * (i % 33 - 16), i % 2 ? infinity : -infinity);
         CHECK(error_in_ulp(portable::pow(base, power), truth) <= 1 + 3 * size);
-        CHECK(std::max({exp_error(between(-746, 710)), exp_error(between(-2, 2)), exp_error(between(-745.2, -708))}) <=
-              1);
-        CHECK(std::max({log_error(x), log_error(between(0.5, 2)), log_error(0x1p-1022 * random.uniform())}) <= 1);
-        CHECK(std::max({sincos_error(x), sincos_error(between(-1, 1)), sincos_error(1e6 * between(-1, 1)),
-                        sincos_error(turns)}) <= 1);
+        for (const double each : {between(-746, 710), between(-2, 2), between(-745.2, -708)})
+            CHECK_MESSAGE(exp_error(each) <= 1, each);
+        for (const double each : {x, between(0.5, 2), 0x1p-1022 * random.uniform()})
+            CHECK_MESSAGE(log_error(each) <= 1, each);
+        for (const double each : {x, between(-1, 1), 1e6 * between(-1, 1), turns})
+            CHECK_MESSAGE(sincos_error(each) <= 1, each);
     }
 }
 #endif
@@ -47,27 +48,46 @@ TEST_CASE("exp, log and sincos_turns err by at most 1 ulp over their whole range
 TEST_CASE("exp, log and pow at 0, 1, infinity, nan and the ends of their range") {
     using portable::exp, portable::log, portable::pow;
     constexpr double last = 0x1.62e42fefa39efp+9;  // the largest x whose e^x is a double
-    CHECK((exp(0) == 1 && exp(infinity) == infinity && exp(-infinity) == 0 && exp(-745.13) == 0x1p-1074));
-    CHECK((exp(-745.14) == 0 && exp(last) < infinity && exp(std::nextafter(last, infinity)) == infinity));
-    CHECK((log(0) == -infinity && log(-0.0) == -infinity && log(1) == 0 && log(infinity) == infinity));
-    CHECK((log(DBL_MAX) == last && pow(2, 1025) == infinity && pow(2, -1075.5) == 0));
-    CHECK((pow(nan_value, 0) == 1 && pow(1, nan_value) == 1 && pow(0, 1e-300) == 0 && pow(0, -1) == infinity));
-    CHECK((pow(infinity, 2) == infinity && pow(infinity, -2) == 0 && pow(0.5, -infinity) == infinity));
+    CHECK(exp(0) == 1);
+    CHECK(exp(infinity) == infinity);
+    CHECK(exp(-infinity) == 0);
+    CHECK(exp(-745.13) == 0x1p-1074);
+    CHECK(exp(-745.14) == 0);
+    CHECK(exp(last) < infinity);
+    CHECK(exp(std::nextafter(last, infinity)) == infinity);
+    CHECK(log(0) == -infinity);
+    CHECK(log(-0.0) == -infinity);
+    CHECK(log(1) == 0);
+    CHECK(log(infinity) == infinity);
+    CHECK(log(DBL_MAX) == last);
+    CHECK(pow(2, 1025) == infinity);
+    CHECK(pow(2, -1075.5) == 0);
+    CHECK(pow(nan_value, 0) == 1);
+    CHECK(pow(1, nan_value) == 1);
+    CHECK(pow(0, 1e-300) == 0);
+    CHECK(pow(0, -1) == infinity);
+    CHECK(pow(infinity, 2) == infinity);
+    CHECK(pow(infinity, -2) == 0);
+    CHECK(pow(0.5, -infinity) == infinity);
     for (const double x : {exp(nan_value), log(nan_value), log(-1), log(-infinity), pow(nan_value, 1), pow(-1, 2)})
         CHECK(std::isnan(x));
 }
 
-TEST_CASE("sincos_turns is exact at quarter turns, even at huge ones, and no number at infinity") {
+TEST_CASE("sincos_turns is exact at quarter turns, and no number at infinity") {
     const double sines[] = {0, 1, 0, -1};
     for (int quarter = -8; quarter <= 8; ++quarter)
         for (const double whole_turns : {0.0, 1e6, 0x1p50}) {
             const auto [sine, cosine] = portable::sincos_turns(whole_turns + 0.25 * quarter);
-            CHECK((sine == sines[quarter & 3] && cosine == sines[(quarter + 1) & 3]));
+            CAPTURE(quarter);
+            CAPTURE(whole_turns);
+            CHECK(sine == sines[quarter & 3]);
+            CHECK(cosine == sines[(quarter + 1) & 3]);
         }
-    for (const double turns : {infinity, -infinity, nan_value}) CHECK(std::isnan(portable::sincos_turns(turns).cosine));
+    for (const double turns : {infinity, -infinity, nan_value})
+        CHECK_MESSAGE(std::isnan(portable::sincos_turns(turns).cosine), turns);
 }
 
-TEST_CASE("arccosine errs by at most 2.3e-8 and forgives a rounding beyond 1; azimuth is atan2(x, -z) to 2e-8") {
+TEST_CASE("arccosine is acos to 2.3e-8, and azimuth is atan2(x, -z) to 2e-8") {
     using portable::arccosine, portable::azimuth;
     double worst = 0, worst_azimuth = 0;
     for (int i = -100000; i <= 100000; ++i) {
@@ -76,8 +96,13 @@ TEST_CASE("arccosine errs by at most 2.3e-8 and forgives a rounding beyond 1; az
         worst = std::max(worst, std::fabs(arccosine(t) - std::acos(t)));
         worst_azimuth = std::max(worst_azimuth, std::fabs(azimuth(x, z) - std::atan2(x, -z)));
     }
-    CHECK((worst <= 2.3e-8 && worst_azimuth <= 2e-8));
-    CHECK((arccosine(1 + 1e-15) == 0 && arccosine(-1 - 1e-15) == pi));
-    CHECK((azimuth(0, -1) == 0 && azimuth(1, 0) == pi / 2 && azimuth(-1, 0) == -pi / 2 && azimuth(0, 1) == pi));
+    CHECK(worst <= 2.3e-8);
+    CHECK(worst_azimuth <= 2e-8);
+    CHECK(arccosine(1 + 1e-15) == 0);
+    CHECK(arccosine(-1 - 1e-15) == pi);
+    CHECK(azimuth(0, -1) == 0);
+    CHECK(azimuth(1, 0) == pi / 2);
+    CHECK(azimuth(-1, 0) == -pi / 2);
+    CHECK(azimuth(0, 1) == pi);
     CHECK(azimuth(0, 0) == 0);  // straight up and down
 }

@@ -1,18 +1,22 @@
 #include "quadrature/quadrature.h"
 #include "test.h"
 
-TEST_CASE("the known part is 1 or cos(theta), and sums of weights are over its integral, 2 pi or pi") {
+TEST_CASE("the known part is 1 or cos(theta), and sums of weights are over its integral") {
     for (const Known known : {Known::nothing, Known::cosine}) {
+        CAPTURE(known);
         const double integral = known == Known::cosine ? pi : 2 * pi;
         const QuadratureRule rule{std::vector<Vec3>(3), {3 * pi, -2 * pi, pi}, known};
         CHECK(known_part(known, {0.6, 0.8, 0}) == (known == Known::cosine ? 0.8 : 1));
-        CHECK((known_integral(known) == integral && rule.size() == 3));
-        CHECK((relative_weight_sum(rule) == 2 * pi / integral && stability_constant(rule) == 6 * pi / integral));
+        CHECK(known_integral(known) == integral);
+        CHECK(rule.size() == 3);
+        CHECK(relative_weight_sum(rule) == 2 * pi / integral);
+        CHECK(stability_constant(rule) == 6 * pi / integral);
     }
 }
 
-TEST_CASE("placements have names; each is its directions: random ones, or the lattice turned by one random number") {
-    CHECK(names_all(placement_names));
+TEST_CASE("placements have names") { CHECK(names_all(placement_names)); }
+
+TEST_CASE("a placement is random directions, or a lattice turned by one random number") {
     for (const auto& row : placement_names) {
         const Placement placement = row.second;
         Random drawn(1, 2), here(1, 2);
@@ -25,20 +29,26 @@ TEST_CASE("placements have names; each is its directions: random ones, or the la
         if (lattice)
             for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
         INFO(row.first);
-        CHECK((is_lattice(placement) == lattice && same(placed.directions, expected) && drawn.bits() == here.bits()));
+        CHECK(is_lattice(placement) == lattice);
+        CHECK(placed.directions == expected);
+        CHECK(drawn.bits() == here.bits());
         CHECK(placed.density == density);
     }
 }
 
-TEST_CASE("Monte Carlo has equal weights that sum to the integral of p, a Bayesian rule has those of its process") {
+TEST_CASE("Monte Carlo has equal weights, and a Bayesian rule those of its process") {
     for (const Known known : {Known::nothing, Known::cosine})
         for (const std::size_t n : {1u, 3u, 40u}) {
             const auto k = covariance_of(CovarianceFamily::sobolev, 1.5, known);
             const QuadratureRule mc = monte_carlo_rule(
                                      {some_directions(n), known == Known::cosine ? Density::cosine : Density::uniform}),
                                  bayes = bayesian_rule(*k, 0.1, some_directions(n));
-            CHECK((mc.known == known && bayes.known == known));
-            CHECK((same(mc.directions, some_directions(n)) && same(bayes.directions, some_directions(n))));
+            CAPTURE(known);
+            CAPTURE(n);
+            CHECK(mc.known == known);
+            CHECK(bayes.known == known);
+            CHECK(mc.directions == some_directions(n));
+            CHECK(bayes.directions == some_directions(n));
             CHECK(mc.weights == std::vector<double>(n, known_integral(known) / static_cast<double>(n)));
             CHECK(bayes.weights == GaussianProcess(*k, 0.1, some_directions(n)).weights());
         }

@@ -27,45 +27,54 @@ static std::string hdr(const std::string& size, const std::string& texels) {
 static const std::string coded = bytes_of({2, 2, 0, 8, 131, 128, 5,   1, 2,   3,   4,   5,   131, 128, 5,
                                            6, 7, 8, 9, 10,  131, 128, 5, 255, 254, 253, 252, 251, 136, 136});
 
-TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), subnormal ones too, and to 0 for the exponent 0") {
+TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exponent 0") {
     const std::string texels = bytes_of({128, 64, 1, 129, 200, 100, 50, 0, 255, 1, 0, 255, 255, 1, 128, 1});
     CHECK(channels(read_hdr(hdr("-Y 1 +X 4", texels))) ==
           std::vector<double>{1, 0.5, 0x1p-7, 0, 0, 0, 0x1.fep126, 0x1p119, 0, 255 * 0x1p-135, 0x1p-135, 0x1p-128});
 }
 
-TEST_CASE("coded scanlines decode runs and literals of each component, up to 32767 texels a row; others are flat") {
+TEST_CASE("coded scanlines of 8 to 32767 texels decode runs and literals of each component") {
     std::vector<double> both(9, 128);
     for (int i = 0; i < 5; ++i)
         for (const double value : {1 + i, 6 + i, 255 - i}) both.push_back(value);
     for (std::size_t i = 0; i < 24; ++i) both.push_back(both[i]);
     CHECK(channels(read_hdr(hdr("-Y 2 +X 8", coded + coded))) == both);
+}
+
+TEST_CASE("the longest scanline, run and literal decode") {
     std::string row = bytes_of({2, 2, 127, 255});
     for (int run = 0; run < 4 * 259; ++run) row += bytes_of({run % 259 == 258 ? 1 : 128 + 127, 136});  // 258 * 127 + 1
     CHECK(channels(read_hdr(hdr("-Y 1 +X 32767", row))) == std::vector<double>(3 * 32767, 136));
     std::string literals = bytes_of({2, 2, 0, 128});  // 128 is the longest literal
     for (int component = 0; component < 4; ++component) literals += bytes_of({128}) + std::string(128, '\x88');
     CHECK(channels(read_hdr(hdr("-Y 1 +X 128", literals))) == std::vector<double>(3 * 128, 136));
-    // The first texel announces a coded scanline, but for the width of the picture, or its own.
+}
+
+TEST_CASE("a first texel that looks coded, but for a width, begins a flat scanline") {
     CHECK(channels(read_hdr(hdr("-Y 1 +X 2", bytes_of({2, 2, 0, 136, 2, 2, 2, 136}))))[4] == 2);
     CHECK(channels(read_hdr(hdr("-Y 1 +X 8", bytes_of({2, 2, 128, 136}) + std::string(28, '\3'))))[2] == 128);
 }
 
-TEST_CASE("headers may end their lines with CRLF, carry other variables, lack a format, and be followed by anything") {
+TEST_CASE("a header may have CRLF, other variables, and no format") {
     const std::string texel = bytes_of({1, 2, 3, 136});
     for (const std::string& file : {"#?RGBE\r\n# comment\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" + texel,
                                     "#?RADIANCE\nEXPOSURE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel + "garbage"})
-        CHECK(channels(read_hdr(file)) == std::vector<double>{1, 2, 3});
+        CHECK_MESSAGE((channels(read_hdr(file)) == std::vector<double>{1, 2, 3}), file);
 }
 
-TEST_CASE("what is no Radiance picture, of a kind that is not supported, or cut is refused with the reason") {
+TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with the reason") {
     const auto refused = [](const std::string& file, const std::string& reason) {
-        CHECK_MESSAGE(contains(message_of([&] { read_hdr(file); }), reason), reason);
+        CHECK(message_of([&] { read_hdr(file); }) == Containing{reason});
     };
     refused("P6\n1 1\n255\n", "first line should be #?RADIANCE or #?RGBE");
     refused("#?RADIANCE", "the file ends inside the header");
+    refused("#?RADIANCE\n" + std::string(5000, 'x'), "a line of the header is too long");
+    std::string lines = "#?RADIANCE\n";
+    for (int i = 0; i < 1001; ++i) lines += "x\n";
+    refused(lines, "the header has more than 1000 lines");
     refused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", "'FORMAT=32-bit_rle_xyze' is not supported");
-    for (const std::string size :
-         {"+Y 1 +X 1", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 8193 +X 8192"})
+    for (const std::string size : {"+Y 1 +X 1", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px",
+                                   "-Y 8193 +X 8192", "-Y 4294967299 +X 1"})
         refused(hdr(size, ""), "resolution line '" + size + "': it should be '-Y height +X width'");
     const auto row_refused = [&](const std::vector<int>& bytes, const std::string& reason) {
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
@@ -76,4 +85,13 @@ TEST_CASE("what is no Radiance picture, of a kind that is not supported, or cut 
     row_refused({2, 2, 0, 9}, "the scanline announces another width than the header");
     row_refused({2, 2, 1, 8}, "the scanline announces another width than the header");
     row_refused({2, 2, 0, 8, 136}, "the file ends inside a scanline");
+}
+
+TEST_CASE("an error of reading is not the end of a map, wherever it is") {
+    const std::string whole = hdr("-Y 1 +X 8", coded);
+    for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
+        FailingBuffer buffer(whole.substr(0, bytes));
+        std::istream in(&buffer);
+        CHECK_MESSAGE(message_of([&] { read_radiance_hdr(in); }) == Containing{"an error of reading"}, bytes);
+    }
 }

@@ -2,7 +2,7 @@
 
 #include "test.h"
 
-TEST_CASE("a stream is SplitMix64, as the paper has it, from a state that mixes seed and stream") {
+TEST_CASE("a stream is SplitMix64 from a state that mixes seed and stream") {
     const auto mix = [](std::uint64_t x) {
         x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
         x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;

@@ -15,35 +15,59 @@ static std::string rule_report(const std::string& content, std::vector<std::stri
     return report.report();
 }
 
-TEST_CASE("directions are read with or without values, among comments, and as the report prints them") {
+TEST_CASE("directions are read with or without values, and as the report prints them") {
     const Samples samples = samples_in("# x y z value\r\n0 1 0 2.5\r\n\n0.6 0.8 0 -1e3 # low\n\t0.0 0 -1\t7");
-    CHECK(same(samples.directions, {{0, 1, 0}, {0.6, 0.8, 0}, {0, 0, -1}}));
+    CHECK(samples.directions == std::vector<Vec3>{{0, 1, 0}, {0.6, 0.8, 0}, {0, 0, -1}});
     CHECK(samples.values == std::vector<double>{2.5, -1000, 7});
     CHECK(samples_in("0 1 0\n1 0 0\n").values.empty());
     CHECK(samples_in("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n").values.empty());
     CHECK(samples_in("0.8000008 0.6 0\n").directions.size() == 1);  // a length of 1 + 6.4e-7
 }
 
-TEST_CASE("a line that is no direction is named, with what a line should be; so are values in some lines only") {
-    const auto refused = [](const std::string& content, const std::string& reason) {
-        CHECK_MESSAGE(contains(message_of([&] { samples_in(content); }), reason), content);
-    };
+static void refused(const std::string& content, const std::string& reason) {
+    CAPTURE(content.substr(0, 80));
+    CHECK(message_of([&] { samples_in(content); }) == Containing{reason});
+}
+
+TEST_CASE("a line that is no direction is named, with what a line should be") {
     refused("0 1 0\n\n0 1 x\n", "line 3: it should be x y z, x y z value, or x y z z_j weight");
+    const std::string should_be =
+        "line 1: it should be x y z, x y z value, or x y z z_j weight, with a direction (x, y, z)"
+        " of length 1 and y >= 0";
     for (const char* line : {"0,1,0\n", "0 1 nan\n", "0 1 0 1e400", "0 1\n", "0 1 0 1 1 1\n", "0 1.000002 0\n",
                              "0 0.999998 0\n", "1 -1e-300 0\n"})
-        refused(line,
-                "line 1: it should be x y z, x y z value, or x y z z_j weight, with a direction (x, y, z) of length 1");
+        refused(line, should_be);
+    refused(std::string("0 1 0 5\0\n", 9), should_be);
+}
+
+TEST_CASE("values in some lines only are refused") {
     for (const char* lines : {"0 1 0\n0 1 0 5\n", "0 1 0 5\n0 1 0\n"})
         refused(lines, "there are values in some lines only");
-    std::string rows;
+}
+
+TEST_CASE("the number of directions is 1 to 4096, and that of lines and characters limited") {
+    std::string rows, comments;
     for (int i = 0; i < 4096; ++i) rows += "0 1 0\n";
+    for (int i = 0; i < 65535; ++i) comments += "#\n";
     CHECK(samples_in(rows).directions.size() == 4096);
-    refused(rows + "0 1 0\n", "there are 4097 directions, and 1 to 4096 are allowed");
-    refused("# nothing\n", "there are 0 directions, and 1 to 4096 are allowed");
+    refused(rows + "0 1 0\n", "line 4097: at most 4096 directions are allowed");
+    refused("# nothing\n", "there is no direction in the file");
+    CHECK(samples_in("0 1 0\n" + comments.substr(2)).directions.size() == 1);
+    refused("0 1 0\n" + comments, "line 65536: fewer than 65536 lines of fewer than 4096 characters are allowed");
+    refused("#" + std::string(4095, ' ') + "\n0 1 0\n", "line 1: fewer than 65536 lines");
+}
+
+TEST_CASE("an error of reading is not the end of the directions, wherever it is") {
+    const std::string whole = "# x y z\n0 1 0 5\n0.6 0.8 0 7\n";
+    for (std::size_t bytes = 0; bytes <= whole.size(); ++bytes) {
+        FailingBuffer buffer(whole.substr(0, bytes));
+        std::istream in(&buffer);
+        CHECK_MESSAGE(message_of([&] { read_samples(in); }) == Containing{"an error of reading"}, bytes);
+    }
 }
 
 // Of one direction w = z / (k(0) + noise^2), V = zz - z w.
-TEST_CASE("the report has directions, z and weights, what the weights sum to, and the estimate of given values") {
+TEST_CASE("the report has directions, z, weights and their sums, and an estimate of values") {
     const double z = Sobolev().z(0.8), q = 8.0 / 3 + 0.25, w = z / q, amplitude = 3 / std::sqrt(q);
     const std::string text = rule_report("0.6 0.8 0 -3\n", {"--noise=0.5", "--matrices"});
     for (const std::string& part :
@@ -53,21 +77,25 @@ TEST_CASE("the report has directions, z and weights, what the weights sum to, an
           formatted("# The integral of the values: estimate %.9g, amplitude %.6g, standard error %.6g\n", -3 * w,
                     amplitude, amplitude * std::sqrt(Sobolev().zz() - z * w)),
           formatted("# Q, 1 x 1\n%16.9g\n", q), formatted("# Q^-1, 1 x 1\n%16.9g\n", 1 / q)})
-        CHECK_MESSAGE(contains(text, part), part);
+        CHECK(text == Containing{part});
     CHECK(!contains(rule_report("0 1 0\n"), "# Q"));
-    CHECK(contains(rule_report("0 1 0 0\n"), "amplitude 0, standard error unknown, since all values are 0\n"));
+    CHECK(rule_report("0 1 0 0\n") == Containing{"amplitude 0, standard error unknown, since all values are 0\n"});
     const std::string cosine = rule_report("0 1 0 2\n", {"--known=cosine"});
-    CHECK(contains(cosine, "the integral of cos(theta) is 3.14159"));
-    CHECK(contains(cosine, "# The integral of the values times cos(theta): estimate"));
-    CHECK(contains(cosine, formatted("%.9g", SobolevKnownCosine().z(1))));
+    CHECK(cosine == Containing{"the integral of cos(theta) is 3.14159"});
+    CHECK(cosine == Containing{"# The integral of the values times cos(theta): estimate"});
+    CHECK(cosine == Containing{formatted("%.9g", SobolevKnownCosine().z(1))});
 }
 
-TEST_CASE("directions are drawn from stream 0 if no file is given, and a file that is not there is named") {
+TEST_CASE("directions are drawn from stream 0 if no file is given") {
     RuleReport report;
     parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
     Random random(5, 0);
     const double x = place_directions(Placement::fibonacci, 3, random).directions[1].x;
     CHECK(rows_of(report.report()).at(1).at(0) == formatted("%.6f", x));
+}
+
+TEST_CASE("a file of directions that is not there is named") {
+    RuleReport report;
     report.directions = "no such file";
     CHECK(message_of([&] { report.report(); }) == "no such file: this file cannot be read");
 }

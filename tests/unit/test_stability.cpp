@@ -1,22 +1,25 @@
 #include "experiments/stability.h"
 #include "test.h"
 
-TEST_CASE("sample sets have names: random, doubled, on the rim, at the pole, or within 1e-8 of one direction") {
-    CHECK(names_all(sample_set_names));
+TEST_CASE("sample sets have names") { CHECK(names_all(sample_set_names)); }
+
+TEST_CASE("sample sets are random, doubled, on the rim, at the pole, or one small cluster") {
     const auto set = [](SampleSet which) { return sample_set(which, 10); };
     Random random(1, 10);
     const std::vector<Vec3> expected = random_directions(10, random), cluster = set(SampleSet::cluster);
     for (std::size_t i = 0; i < 10; ++i) {
-        CHECK(same(set(SampleSet::random)[i], expected[i]));
-        CHECK(same(set(SampleSet::duplicates)[i], expected[i - i % 2]));
-        CHECK(same(set(SampleSet::equator)[i], normalize({expected[i].x, 0, expected[i].z})));
-        CHECK(same(set(SampleSet::pole)[i], {0, 1, 0}));
-        CHECK((length(cluster[i] - cluster[0]) < 2e-8 && (i == 0 || !same(cluster[i], cluster[0]))));
+        CAPTURE(i);
+        CHECK(set(SampleSet::random)[i] == expected[i]);
+        CHECK(set(SampleSet::duplicates)[i] == expected[i - i % 2]);
+        CHECK(set(SampleSet::equator)[i] == normalize({expected[i].x, 0, expected[i].z}));
+        CHECK(set(SampleSet::pole)[i] == Vec3{0, 1, 0});
+        CHECK(length(cluster[i] - cluster[0]) < 2e-8);
+        CHECK((cluster[i] == cluster[0]) == (i == 0));
     }
 }
 
 // Turning changes no distance and no y, so all differences are roundings.
-TEST_CASE("the error of the weights is the largest difference from four turned sets over the largest weight") {
+TEST_CASE("the weights' error is the largest difference from turned sets over the largest") {
     const std::vector<Vec3> directions = sample_set(SampleSet::random, 40);
     const QuadratureRule rule = bayesian_rule(Sobolev(), 1e-4, directions);
     double difference = 0, largest = 0;
@@ -31,15 +34,21 @@ TEST_CASE("the error of the weights is the largest difference from four turned s
         }
     }
     const Stability found = stability_of(directions, Sobolev(), 1e-4).value();
-    CHECK((found.weight_error == difference / largest && found.constant == stability_constant(rule)));
-    CHECK((difference > 0 && found.weight_error < 1e-12));
+    CHECK(found.weight_error == difference / largest);
+    CHECK(found.constant == stability_constant(rule));
+    CHECK(difference > 0);
+    CHECK(found.weight_error < 1e-12);
 }
 
-TEST_CASE("what is singular is refused, and works with noise; a nearly singular matrix leaves no digit") {
+TEST_CASE("what is singular is refused, and works with noise") {
     for (const SampleSet set : {SampleSet::duplicates, SampleSet::pole}) {
+        CAPTURE(set);
         CHECK(!stability_of(sample_set(set, 100), Sobolev(), 0));
         CHECK(stability_of(sample_set(set, 100), Sobolev(), 1e-2)->weight_error < 1e-9);
     }
+}
+
+TEST_CASE("a nearly singular matrix leaves no digit") {
     const SquaredExponential smooth(1);
     CHECK(stability_of(sample_set(SampleSet::random, 100), smooth, 0)->weight_error >= 0.1);
 }
