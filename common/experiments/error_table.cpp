@@ -8,8 +8,9 @@ static double absolute_error(double estimate, double truth) {
 }
 
 // Adds to each integrand's row the errors of Monte Carlo's estimates e = 0, 1, ..., mc_estimates of them. Estimate e
-// has the directions of directions_of_estimate(settings, rows[0].samples, e), the same for all integrands. BEGIN
-// SOLUTION table
+// has the directions of directions_of_estimate(settings, rows[0].samples, e), the same for all
+// integrands.
+// BEGIN SOLUTION table
 static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
                           const ErrorSettings& settings) {
     for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
