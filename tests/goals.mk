@@ -31,7 +31,7 @@ $(BUILD)/tests/unit/main.o: HEADERS =
 doctest:
 	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
 
-$(BUILD)/unit_tests: $(TESTS) $(COMMON)
+$(BUILD)/unit_tests: $(TESTS) $(COMPARE) $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o

@@ -1,8 +1,7 @@
-// compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL: prints where an output first differs from its reference, by
-// how much, and how much of it differs. Of pictures, PPM (P6) or PFM (PF), it measures the error; --error writes this
-// as a picture: grey is none, white or black one of 0.1. With --tolerant, for the output of another program, numbers
-// agree within a relative T (0.001) plus 1e-9, white space does not count, and pictures agree in all but 0.1 % of their
-// pixels. Exit status: 0 equal, 1 different, 2 a file cannot be read.
+// compare [--tolerant[=T]] REFERENCE ACTUAL: prints where an output first differs from its reference, by how much, and
+// how much of it differs. Of pictures, PPM (P6) or PFM (PF), it measures the error. With --tolerant, for the output of
+// another program, numbers agree within a relative T (0.001) plus 1e-9, white space does not count, and pictures agree
+// in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be read.
 #include "compare.h"
 
 #include <cstdio>
@@ -34,25 +33,14 @@ double tolerance_of(const std::string& option) {
 
 int main(int argc, char** argv) {
     try {
-        double tolerance = 0;
-        std::string errors;
-        const char* error_file = nullptr;
-        int at = 1;
-        for (; at < argc && argv[at][0] == '-'; ++at)
-            if (std::string(argv[at]) == "--error")
-                error_file = argv[++at];
-            else
-                tolerance = tolerance_of(argv[at]);
-        if (argc != at + 2) throw std::runtime_error("usage: compare [--tolerant[=T]] [--error FILE] REFERENCE ACTUAL");
-        const std::string reference = read_file(argv[at]), actual = read_file(argv[at + 1]);
-        std::string words;
-        if (reference != actual || error_file)
-            words = reference[0] == 'P' ? picture_difference(reference, actual, tolerance, errors)
-                                        : text_difference(reference, actual, tolerance);
-        if (error_file && errors.empty()) throw std::runtime_error("--error needs two pictures of one size");
-        if (error_file && !(std::ofstream(error_file, std::ios::binary) << errors << std::flush))
-            throw std::runtime_error(std::string("cannot write ") + error_file);
-        if (words.empty() || reference == actual) return 0;
+        const bool tolerant = argc > 1 && argv[1][0] == '-';
+        if (argc != 3 + tolerant) throw std::runtime_error("usage: compare [--tolerant[=T]] REFERENCE ACTUAL");
+        const double tolerance = tolerant ? tolerance_of(argv[1]) : 0;
+        const std::string reference = read_file(argv[1 + tolerant]), actual = read_file(argv[2 + tolerant]);
+        if (reference == actual) return 0;
+        const auto difference = reference[0] == 'P' ? picture_difference : text_difference;
+        const std::string words = difference(reference, actual, tolerance);
+        if (words.empty()) return 0;
         std::printf("%s\n", words.c_str());
         return 1;
     } catch (const std::exception& error) {

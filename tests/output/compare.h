@@ -16,7 +16,6 @@ inline std::string count_of(std::size_t differing, std::size_t all, const char* 
     return bmc::formatted("%zu of %zu %s %s", differing, all, what, differing == 1 ? "differs" : "differ");
 }
 
-// In words, what does not agree; empty if all does. The reference of a picture begins with P; its errors are a picture.
+// In words, what does not agree; empty if all does. The reference of a picture begins with P.
 std::string text_difference(const std::string& reference, const std::string& actual, double tolerance);
-std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance,
-                               std::string& errors);
+std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance);

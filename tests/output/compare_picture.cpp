@@ -64,22 +64,9 @@ std::string describe_errors(const bmc::Image& reference, const bmc::Image& actua
                                  std::floor(100 * products / pair_squares + 0.5) / 100);
 }
 
-// Errors as a PPM: grey is none, white or black one of 0.1.
-std::string picture_of_errors(const bmc::Image& reference, const bmc::Image& actual) {
-    std::string bytes = bmc::formatted("P6\n%d %d\n255\n", actual.width, actual.height);
-    for (std::size_t i = 0; i < actual.pixels.size(); ++i) {
-        const bmc::Color error = actual.pixels[i] - reference.pixels[i];
-        for (const double each : {error.x, error.y, error.z})
-            bytes +=
-                static_cast<char>(static_cast<unsigned char>(128.5 + 127 * std::fmax(-1, std::fmin(1, 10 * each))));
-    }
-    return bytes;
-}
-
 }  // namespace
 
-std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance,
-                               std::string& errors) {
+std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance) {
     const std::optional<Picture> expected = parse_picture(reference), found = parse_picture(actual);
     if (!expected) throw std::runtime_error("the reference is a damaged picture (were its line ends converted?)");
     if (!found)
@@ -87,7 +74,6 @@ std::string picture_difference(const std::string& reference, const std::string& 
                               expected->header.c_str(), actual.size());
     if (expected->header != found->header) return "header: reference " + expected->header + ", here " + found->header;
     const bmc::Image expected_light = linear_light(*expected), light = linear_light(*found);
-    errors = picture_of_errors(expected_light, light);
     const std::vector<std::size_t> pixels = differences(*expected, *found, tolerance);
     if (pixels.empty() && tolerance == 0) return "no pixel differs, but white space in the header or the sign of a 0";
     if (pixels.size() <= (tolerance > 0 ? light.pixels.size() / 1000 : 0)) return "";
