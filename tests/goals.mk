@@ -8,6 +8,7 @@
 # make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
+# make threads      pictures by seven threads, compiled by clang++ with its sanitizer of threads
 # make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
 # make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
@@ -15,7 +16,7 @@
 
 TESTS = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp))
 COMPARE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/compare.cpp,$(wildcard tests/output/*.cpp)))
-.PHONY: doctest test unit judge references handout grade mutations portability sanitizers fuzz figures seconds format-check
+.PHONY: doctest test unit judge references handout grade mutations portability sanitizers threads fuzz figures seconds format-check
 
 # Unit tests take longer to compile than to run, and their header longest: it is read once, but for main.cpp, which sets
 # doctest up.
@@ -79,6 +80,12 @@ sanitizers:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined" $(ONE_SOURCE) \
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) all $(SANITIZED)/unit_tests $(SANITIZED)/compare
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run product
+
+THREADS = $(BUILD)/threads
+threads:
+	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=thread" $(ONE_SOURCE) \
+	    BUILD=$(THREADS) BIN=$(THREADS) $(THREADS)/renderer $(THREADS)/compare
+	BUILD=$(THREADS) BIN=$(THREADS) tests/output/run references '*.p?m' --threads 7
 
 # What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.
 FUZZ = $(BUILD)/fuzz
