@@ -22,6 +22,7 @@
 using namespace bmc;
 using portable::pi;
 
+using Numbers = std::vector<double>;  // values of one check, which all are shown if it fails
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 

@@ -3,8 +3,7 @@
 
 TEST_CASE("a map holds what it is made of, and texel 0 is black") {
     EnvironmentMap map(2, 2, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
-    CHECK(map.width() == 2);
-    CHECK(map.height() == 2);
+    CHECK(Numbers{map.width() + 0.0, map.height() + 0.0} == Numbers{2, 2});
     CHECK(map.color(0) == Vec3{0, 0, 0});
     CHECK(map.color(map.index(1, 0)) == Vec3{4, 5, 6});
     map.set(0, 1, {0.5, 0.25, 0});
@@ -57,12 +56,10 @@ TEST_CASE("a direction that rounding has lengthened has a texel in maps of any s
                 const auto signed_by = [&](int bit, double x) { return (octant & bit ? -1 - 1e-15 : 1 + 1e-15) * x; };
                 const double column = TexelGrid{width, height}.column(signed_by(1, d.x), signed_by(4, d.z));
                 const double row = TexelGrid{width, height}.row(signed_by(2, d.y));
-                CAPTURE(d);
-                CAPTURE(octant);
-                CHECK(column > -1);
+                INFO("d, octant: ", d, ", ", octant);
+                CHECK(std::min(column, row) > -1);  // truncated towards 0
                 CHECK(column < width);
-                CHECK(row > -1);
-                CHECK(row < height);  // truncated towards 0
+                CHECK(row < height);
             }
 }
 

@@ -11,9 +11,7 @@ TEST_CASE("the options of a model set its members, in the ranges of a process") 
                  {"--smoothness=1.0005", "--smoothness=1.9995", "--length-scale=0.0499", "--length-scale=1.1e6",
                   "--noise=-1e-9", "--noise=1001", "--seed=-1", "--known=all"});
     CHECK(s.covariance == CovarianceFamily::squared_exponential);
-    CHECK(s.smoothness == 1.999);
-    CHECK(s.length_scale == 1e6);
-    CHECK(s.noise == 1000);
+    CHECK(Numbers{s.smoothness, s.length_scale, s.noise} == Numbers{1.999, 1e6, 1000});
     CHECK(s.known == Known::cosine);
     CHECK(s.placement == Placement::cosine_fibonacci);
     CHECK(s.seed == UINT64_MAX);

@@ -11,14 +11,10 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture"
                  {"--size=8193", "--size=5x", "--size=x5", "--size=5x5x5", "--size=0", "--size=5x8193",
                   "--samples=1000001", "--pool=1001", "--threads=257", "--exposure=100.1", "--exposure=-100.1"});
     CHECK(s.method == Method::rotated);
-    CHECK(s.samples == 1000000);
-    CHECK(s.pool == 1000);
-    CHECK(s.width == 5);
-    CHECK(s.height == 6);
-    CHECK(s.threads == 256);
-    CHECK(s.noise == 0.5);
+    CHECK(std::vector{s.samples, s.pool} == std::vector<std::size_t>{1000000, 1000});
+    CHECK(Numbers{s.width + 0.0, s.height + 0.0, s.threads + 0.0} == Numbers{5, 6, 256});
+    CHECK(Numbers{s.noise, request.exposure} == Numbers{0.5, -100});
     CHECK(request.environment == "a.hdr");
-    CHECK(request.exposure == -100);
     CHECK(request.format == Format::pfm);
     parse({"--size=7"}, request.options());
     CHECK(s.width == 7);

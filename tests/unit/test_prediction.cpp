@@ -23,8 +23,7 @@ TEST_CASE("a pixel's standard error is that of half the squares in its object's 
     double squares = 0, count = 0;
     for_each_hit(sphere_scene(), {64, 64}, [&](int x, int y, const Hit& hit) {
         const bool on_sphere = hit.object == Object::sphere, near = std::max(std::abs(x - 32), std::abs(y - 32)) <= 3;
-        CAPTURE(x);
-        CAPTURE(y);
+        INFO("x, y: ", x, ", ", y);
         CHECK(std::fabs(errors(x, y).x - (on_sphere ? std::sqrt(2.0) : 0)) < 1e-15);
         CHECK(std::fabs(errors(x, y).z - (on_sphere && near ? std::sqrt(0.5) : 0)) < 1e-15);
         squares += dot(errors(x, y), errors(x, y));

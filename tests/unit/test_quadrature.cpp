@@ -43,8 +43,7 @@ TEST_CASE("Monte Carlo has equal weights, and a Bayesian rule those of its proce
             const QuadratureRule mc = monte_carlo_rule(
                                      {some_directions(n), known == Known::cosine ? Density::cosine : Density::uniform}),
                                  bayes = bayesian_rule(*k, 0.1, some_directions(n));
-            CAPTURE(known);
-            CAPTURE(n);
+            INFO("known, n: ", known, ", ", n);
             CHECK(mc.known == known);
             CHECK(bayes.known == known);
             CHECK(mc.directions == some_directions(n));

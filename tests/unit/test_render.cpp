@@ -13,8 +13,7 @@ TEST_CASE("a pixel shows the shade of what its ray meets, or the background inte
         for (int x = 0; x < 14; ++x) {
             const Ray ray = Camera{14, 12}.ray(x, y);
             const std::optional<Hit> hit = intersect(test_scene(), ray);
-            CAPTURE(x);
-            CAPTURE(y);
+            INFO("x, y: ", x, ", ", y);
             CHECK(image(x, y) == (hit ? shade(*hit, x, y) : background.bilinear_radiance(ray.direction)));
         }
 }

@@ -29,8 +29,7 @@ TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angl
     for (const double u : {0.0, 0.1, 0.5, 0.99})
         for (const double v : {0.01, 0.5, 0.99}) {
             const auto [direction, colour] = sun.ray(u, v);
-            CAPTURE(u);
-            CAPTURE(v);
+            INFO("u, v: ", u, ", ", v);
             CHECK(colour == Vec3{0.5, 1.0 / 6 * 2, 1.0 / 6});
             CHECK(std::fabs(std::atan2(direction.x, -direction.z) - ((12 + u) / 8 - 1) * pi) < 1e-12);
             CHECK(std::fabs(direction.y - (1 - v * (1 - std::cos(pi / 8)))) < 1e-12);
