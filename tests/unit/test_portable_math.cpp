@@ -89,3 +89,9 @@ TEST_CASE("arccosine is acos to 2.3e-8, and azimuth is atan2(x, -z) to 2e-8") {
     CHECK(Numbers{azimuth(0, -1), azimuth(1, 0), azimuth(-1, 0), azimuth(0, 1), azimuth(0, 0)} ==
           Numbers{0, pi / 2, -pi / 2, pi, 0});  // the last: straight up and down
 }
+
+// A coefficient that is off by 1e-10 moves few texels of a picture.
+TEST_CASE("arccosine and azimuth have the bits of their coefficients") {
+    CHECK(Numbers{portable::arccosine(0.5), portable::arccosine(-0.9), portable::azimuth(3, -2)} ==
+          Numbers{0x1.0c1523439663bp+0, 0x1.586476294eb2bp+1, 0x1.f730bd67d612cp-1});
+}
