@@ -82,7 +82,7 @@ TEST_CASE("z is 2 pi times the mean of k p over H, in any direction, and zz that
         for (double cosine = 1.0 / 8000; cosine < 1; cosine += 1.0 / 4000)
             zz += 2 * pi / 4000 * covariance.z(cosine) * known_part(covariance.known(), {0, cosine, 0});
         CHECK(relative(covariance.zz(), zz) < most);
-        for (const double cosine : {0.0, 0.02, 0.4, 0.7, 0.95, 1.0})
+        for (const double cosine : {0.0, 0.02, 0.4, 1.0})
             CHECK_MESSAGE(relative(covariance.z(cosine), z_by_definition(covariance, cosine)) < most, cosine);
     };
     for (const double s : {1.05, 1.5, 1.85}) agree(*covariance_of(sobolev, s), 4e-5);

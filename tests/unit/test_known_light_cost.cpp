@@ -27,5 +27,5 @@ TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
     const RenderSettings settings = small_picture(Method::mc, 1, 10);
     EnvironmentMap lamp = even_map(64, 32, 1);
     lamp.set(20, 8, {50, 50, 50});
-    CHECK(image_error(truth_with_sun(lamp, settings, 1000), truth_with_sun(lamp, settings, 30000)).rmse < 0.003);
+    CHECK(image_error(truth_with_sun(lamp, settings, 1000), truth_with_sun(lamp, settings, 10000)).rmse < 0.003);
 }

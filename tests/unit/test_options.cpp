@@ -46,5 +46,5 @@ TEST_CASE("every option of a picture changes it") {
 }
 TEST_CASE("the options of the error tables change them") {
     check_options<ErrorTables>({"--integrand=cosine", "--samples=10", "--mc-estimates=3", "--bmc-estimates=3"},
-                               {"smoothness", "length-scale", "placement"});
+                               {"smoothness", "length-scale", "placement", "noise", "known"});
 }
