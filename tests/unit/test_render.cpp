@@ -35,11 +35,12 @@ TEST_CASE("a shade is the light that a point reflects by its pixel's rule and fr
 }
 
 TEST_CASE("threads change no byte of a picture") {
+    const Scene scene = test_scene();
     const EnvironmentMap map = coloured_map(16, 9);
     RenderSettings settings = small_picture(Method::pool, 7);
     const PixelRules rules(settings);
-    const Shader shade = environment_shader(test_scene(), map, rules);
-    const Image one = render(test_scene(), map, settings, shade);
+    const Shader shade = environment_shader(scene, map, rules);
+    const Image one = render(scene, map, settings, shade);
     settings.threads = 5;
-    CHECK(first_difference(render(test_scene(), map, settings, shade).pixels, one.pixels) == "");
+    CHECK(first_difference(render(scene, map, settings, shade).pixels, one.pixels) == "");
 }
