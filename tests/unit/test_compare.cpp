@@ -68,7 +68,7 @@ TEST_CASE("the correlation is that of the errors of horizontal neighbours") {
         !contains(picture_difference(pfm(1, 2, {1, 1, 1, 2, 2, 2}), pfm(1, 2, {2, 2, 2, 3, 3, 3}), 0), "correlation"));
 }
 
-TEST_CASE("the rows of a PFM begin at the bottom, and the sign of its scale is the order of its bytes") {
+TEST_CASE("a PFM begins with the bottom row, and the sign of its scale orders its bytes") {
     for (const char* scale : {"-1.0", "1.0"})
         CHECK(picture_difference(pfm(1, 2, {1, 1, 1, 2, 2, 2}, scale), pfm(1, 2, {1, 2, 1, 2, 2, 2}, scale), 0) ==
               "pixel (x 0, y 1), green: reference 1, here 2; 1 of 2 pixels differs, at most by 1; there the RMSE is "

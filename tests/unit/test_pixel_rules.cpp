@@ -64,7 +64,7 @@ TEST_CASE("a pixel has a fresh rule, a shared one, a turned one, or a chosen and
             }
 }
 
-TEST_CASE("S is 1 for Monte Carlo, near 1 for the rough covariance, above for the smooth one") {
+TEST_CASE("S is 1 for Monte Carlo, near 1 for rough covariances, far above for smooth ones") {
     const auto stability = [](const RenderSettings& settings) {
         return stability_constant(*PixelRules(settings).shared()[0]);
     };
