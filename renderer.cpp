@@ -11,18 +11,11 @@ using Request = bmc::beyond::Request;
 using Request = bmc::PictureRequest;
 #endif
 
-using namespace bmc;
-
 int main(int argc, char** argv) {
-    return run_program("renderer", [&] {
-        Request request;
-        const auto picture = [&request] {
-            request.require_possible();
-            return request.file(request.image(load_environment(request.environment, request.settings.threads)));
-        };
-        return run_command({"", "", request.options(), picture, "out.ppm"},
-                           "usage: ./renderer [options] > out.ppm\n"
-                           "       ./renderer --method direct --samples 20 --size 100 > direct.ppm\n",
-                           argc, argv);
+    return bmc::run_program("renderer", [&] {
+        return bmc::run_command({"", "", std::make_shared<Request>(), "out.ppm"},
+                                "usage: ./renderer [options] > out.ppm\n"
+                                "       ./renderer --method direct --samples 20 --size 100 > direct.ppm\n",
+                                argc, argv);
     });
 }

@@ -21,38 +21,41 @@ inline std::vector<Command> commands() { return {}; }
 
 using namespace bmc;
 
-// The built-in environment for other programs: its texels, row 0 at the top, as a PFM.
-static std::string light_file() {
-    const EnvironmentMap map = load_environment();
-    Image image(map.width(), map.height());
-    for (int y = 0; y < map.height(); ++y)
-        for (int x = 0; x < map.width(); ++x) image(x, y) = map.color(map.index(x, y));
-    return encode(image, Format::pfm);
-}
+// An environment as a PFM file, row 0 at the top.
+struct LightFile : Experiment {
+    std::string environment = built_in_lights[0];
+
+    Options options() override { return {text_option("environment", "FILE", environment_help, environment)}; }
+    std::string report() const override {
+        const EnvironmentMap map = load_environment(environment);
+        Image image(map.width(), map.height());
+        for (int y = 0; y < map.height(); ++y)
+            for (int x = 0; x < map.width(); ++x) image(x, y) = map.color(map.index(x, y));
+        return encode(image, Format::pfm);
+    }
+};
 
 static std::string run(int argc, char** argv) {
     std::vector<Command> commands{
-        command<ErrorTables>("", "errors of Monte Carlo and Bayesian MC"),
-        command<RuleReport>("rule", "directions and weights of a rule"),
-        command<Belief>("belief", "what a Gaussian process believes, > belief.ppm", "belief.ppm"),
-        {"light", "the built-in light for others, > desert.pfm", {}, light_file, "desert.pfm"},
-        command<TradeoffReport>("tradeoff", "what accuracy costs"),
-        command<ModelsReport>("models", "covariances and noise compared"),
-        {"stability", "where the arithmetic breaks", {}, stability_report}};
+        {"", "errors of Monte Carlo and Bayesian MC", std::make_shared<ErrorTables>()},
+        {"rule", "directions and weights of a rule", std::make_shared<RuleReport>()},
+        {"belief", "what a Gaussian process believes, > belief.ppm", std::make_shared<Belief>(), "belief.ppm"},
+        {"light", "an environment as a PFM file, > desert.pfm", std::make_shared<LightFile>(), "desert.pfm"},
+        {"tradeoff", "what accuracy costs", std::make_shared<TradeoffReport>()},
+        {"models", "covariances and noise compared", std::make_shared<ModelsReport>()},
+        {"stability", "where the arithmetic breaks", std::make_shared<StabilityReport>()}};
     for (const Command& each : beyond::commands()) commands.push_back(each);
-    const bool named = argc > 1 && *argv[1] && *argv[1] != '-';
-    const std::string name = named ? argv[1] : "";
+    const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";
     std::string names, usages;
     for (const Command& each : commands) {
-        if (named && each.name == name)
+        if (!name.empty() && each.name == name)
             return run_command(each, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
         names += (names.empty() ? "" : ", ") + each.name;
         usages += formatted("       ./workbench %-22s", each.name.c_str()) + each.summary + '\n';
     }
-    if (named)
-        throw std::invalid_argument("there is no command '" + name +
-                                    "'; type ./workbench --help, or a command: " + names);
-    return run_command(commands[0], "usage: ./workbench [options]\n" + usages, argc, argv);
+    if (argc < 2 || *argv[1] == '-')
+        return run_command(commands[0], "usage: ./workbench [options]\n" + usages, argc, argv);
+    throw std::invalid_argument("there is no command '" + name + "'; type ./workbench --help, or a command: " + names);
 }
 
 int main(int argc, char** argv) {

@@ -5,6 +5,6 @@
 
 namespace bmc::beyond {
 inline std::vector<Command> commands() {
-    return {command<KnownLightReport>("known-light", "what it saves to know the light")};
+    return {{"known-light", "what it saves to know the light", std::make_shared<KnownLightReport>()}};
 }
 }  // namespace bmc::beyond

@@ -13,11 +13,11 @@ Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings,
 double coverage(const Image& image, const Image& truth, const Image& predicted);
 
 // What `workbench known-light` prints.
-struct KnownLightReport {
+struct KnownLightReport : Experiment {
     std::string environment;  // empty: the built-in lights
     CostSettings costs;
 
-    Options options();
-    std::string report() const;
+    Options options() override;
+    std::string report() const override;
 };
 }  // namespace bmc::beyond

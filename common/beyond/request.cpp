@@ -28,6 +28,15 @@ Options Request::options() {
     return all;
 }
 
+std::vector<IdleOption> Request::idle() const {
+    std::vector<IdleOption> idle = PictureRequest::idle();
+    if (known == KnownFactor::light)  // of all methods
+        idle.erase(std::remove_if(idle.begin(), idle.end(), [](const auto& each) { return each.name == "known"; }),
+                   idle.end());
+    if (rmse > 0) idle.push_back({"samples", "--rmse"});
+    return idle;
+}
+
 Image Request::image(const EnvironmentMap& map) const {
     const bool light_known = known == KnownFactor::light;
     PictureSettings chosen{settings, light_known};

@@ -20,6 +20,7 @@ struct Request : PictureRequest {
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 
     Options options() override;
+    std::vector<IdleOption> idle() const override;
 
     // Prints the prediction on stderr. Throws std::invalid_argument for an RMSE under a sun (sun.h) that is not known,
     // since both pictures may miss it.

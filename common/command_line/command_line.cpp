@@ -6,9 +6,11 @@
 #include <getopt.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
+#include <set>
 
 namespace bmc {
 static const char* program = "bmc";  // its name, once run_program has begun
@@ -28,25 +30,58 @@ Options joined(std::initializer_list<Options> lists) {
     return all;
 }
 
-std::vector<std::string> parse_options(int argc, char** argv, const Options& options) {
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+    return text;
+}
+
+// Why a word is no option. letter: where getopt_long took it for letters after a single dash, else 0.
+static std::string refusal(const std::string& word, int letter, const Options& options) {
+    if (letter)
+        return std::string("there is no option -") + static_cast<char>(letter) +
+               "; options begin with two dashes, and --help lists them all";
+    const std::string typed = word.substr(0, word.find('='));
+    std::vector<std::string> meant;
+    for (const Option& each : options)
+        if (("--" + each.name).compare(0, typed.size(), typed) == 0) meant.push_back("--" + each.name);
+    return meant.empty() ? "there is no option " + typed + "; --help lists them all"
+                         : typed + " is ambiguous: " + listed(meant);
+}
+
+// found: what getopt_long returned. value: what stands after '=', or else the next word.
+static void apply(const Option& option, int found, const std::string& value, bool is_next_word) {
+    const std::string name = "--" + option.name;
+    if (found == '?') throw std::invalid_argument(name + " takes no value");
+    const bool is_option = is_next_word && value.compare(0, 2, "--") == 0;
+    if (!option.argument.empty() && (found == ':' || value.empty() || is_option))
+        throw std::invalid_argument(name + " needs a value; --help shows which");
+    try {
+        option.set(value);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(name + ": " + error.what());
+    }
+}
+
+Arguments parse_options(int argc, char** argv, const Options& options) {
+    constexpr int first = 256;  // above all letters
     std::vector<option> table;
     for (const Option& each : options)
         table.push_back({each.name.c_str(), each.argument.empty() ? no_argument : required_argument, nullptr,
-                         static_cast<int>(table.size())});  // an index, below all letters
+                         first + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
-    for (int found; (found = getopt_long_only(argc, argv, ":", table.data(), nullptr)) != -1;) {
-        const std::string word = argv[optind - 1];
-        if (found == ':') throw std::invalid_argument(word + " needs a value; --help shows which");
-        if (found == '?') throw std::invalid_argument("there is no option " + word + "; --help lists them all");
-        const Option& chosen = options[static_cast<std::size_t>(found)];
-        try {
-            chosen.set(optarg ? optarg : "");
-        } catch (const std::invalid_argument& error) {
-            throw std::invalid_argument("--" + chosen.name + ": " + error.what());
-        }
+    Arguments arguments;
+    for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
+        const char* const word = argv[optind - 1];
+        if (found == '?' && optopt < first) throw std::invalid_argument(refusal(word, optopt, options));
+        const Option& chosen = options[static_cast<std::size_t>((found < first ? optopt : found) - first)];
+        apply(chosen, found, optarg ? optarg : "", optarg == word);
+        arguments.options.push_back(chosen.name);
     }
-    return {argv + (optind < argc ? optind : argc), argv + argc};  // argc may be 0
+    arguments.rest.assign(argv + (optind < argc ? optind : argc), argv + argc);  // argc may be 0
+    return arguments;
 }
 
 std::string describe(const Options& options) {
@@ -56,16 +91,27 @@ std::string describe(const Options& options) {
     return text;
 }
 
-std::string run_command(Command command, const std::string& usage, int argc, char** argv) {
+// Prints a note for each of these options that changes nothing.
+static void note_idle(const std::vector<std::string>& given, const std::vector<IdleOption>& idle) {
+    for (const std::string& name : std::set<std::string>(given.begin(), given.end())) {
+        const auto found = std::find_if(idle.begin(), idle.end(), [&](const auto& each) { return each.name == name; });
+        if (found != idle.end()) print_note("note: --" + name + " changes nothing with " + found->because);
+    }
+}
+
+std::string run_command(const Command& command, const std::string& usage, int argc, char** argv) {
     bool help = false;
-    command.options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
-    const std::vector<std::string> rest = parse_options(argc, argv, command.options);
-    if (help) return usage + '\n' + describe(command.options);
-    if (!rest.empty()) throw std::invalid_argument("'" + rest[0] + "' is no option; --help shows what can be typed");
+    Options options = command.experiment->options();
+    options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
+    const Arguments given = parse_options(argc, argv, options);
+    if (help) return usage + '\n' + describe(options);
+    if (!given.rest.empty())
+        throw std::invalid_argument("'" + given.rest[0] + "' is an argument of no option; --help lists the options");
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
-    return command.report();
+    note_idle(given.options, command.experiment->idle());
+    return command.experiment->report();
 }
 
 double parse_real(const std::string& text, double low, double high) {
@@ -84,7 +130,17 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
                                 std::to_string(high));
 }
 
-void print_note(const std::string& text) { std::fprintf(stderr, "%s: %s\n", program, text.c_str()); }
+void print_note(const std::string& text) {
+    constexpr std::size_t most = 300;  // at either end
+    std::string shown =
+        text.size() <= 2 * most ? text : text.substr(0, most) + " ... " + text.substr(text.size() - most);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(shown[i]);
+        const bool of_utf8 = i > 0 && shown[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
+        if (byte < ' ' || byte == 0x7f || of_utf8) shown[i] = '?';
+    }
+    std::fprintf(stderr, "%s: %s\n", program, shown.c_str());
+}
 
 int run_program(const char* name, const std::function<std::string()>& body) {
     program = name;

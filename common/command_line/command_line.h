@@ -1,4 +1,4 @@
-// What the programs share: options by getopt_long_only, exit statuses and standard output. A mistake of the caller is a
+// What the programs share: options by getopt_long, exit statuses and standard output. A mistake of the caller is a
 // std::invalid_argument: what was given, what is allowed.
 #pragma once
 
@@ -28,35 +28,43 @@ struct Option {
 };
 using Options = std::vector<Option>;
 
-// What a program does. Its options set what report returns, the text to print.
+// An option that changes nothing because of another one, as "length-scale" because of "--covariance sobolev".
+struct IdleOption {
+    std::string name, because;
+};
+
+// What a program can be asked for.
+struct Experiment {
+    virtual ~Experiment() = default;
+    virtual Options options() = 0;                               // they set members of this object
+    virtual std::vector<IdleOption> idle() const { return {}; }  // with the values that these members have
+    virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
+};
+
 struct Command {
     std::string name;  // empty: what the workbench does without a command
     std::string summary;
-    Options options;
-    std::function<std::string()> report;  // throws std::invalid_argument if options do not fit together
-    std::string file = "";                // what its output goes to, if it is no text for a terminal
+    std::shared_ptr<Experiment> experiment;
+    std::string file = "";  // what its output goes to, if it is no text for a terminal
 };
-
-// The command that runs an Experiment: a type with options(), which set its members, and report().
-template <class Experiment>
-Command command(const char* name, const char* summary, const char* file = "") {
-    const auto experiment = std::make_shared<Experiment>();
-    return {name, summary, experiment->options(), [experiment] { return experiment->report(); }, file};
-}
 
 // The options of all these lists.
 Options joined(std::initializer_list<Options> lists);
 
-// Applies the options in argv, and returns the arguments that no option takes. Throws std::invalid_argument that names
-// the option.
-std::vector<std::string> parse_options(int argc, char** argv, const Options& options);
+// The names of the options in argv, and the arguments that no option takes.
+struct Arguments {
+    std::vector<std::string> options, rest;
+};
+
+// Applies the options in argv. Throws std::invalid_argument that names the option.
+Arguments parse_options(int argc, char** argv, const Options& options);
 
 // A line for each option, for a help text.
 std::string describe(const Options& options);
 
-// What the command prints for the arguments in argv: its report, or with --help the usage and its options. Throws
-// std::invalid_argument if a file would go to a terminal.
-std::string run_command(Command command, const std::string& usage, int argc, char** argv);
+// What the command prints for the arguments in argv: its report, or with --help the usage and its options. A note on
+// stderr names each option that changes nothing. Throws std::invalid_argument if a file would go to a terminal.
+std::string run_command(const Command& command, const std::string& usage, int argc, char** argv);
 
 // The whole text as a number. Both throw std::invalid_argument unless it lies in [low, high].
 double parse_real(const std::string& text, double low, double high);
@@ -65,12 +73,12 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 // An enumeration stands beside one table of its names, std::pair<const char*, T>[], which options and reports read.
 
 // "mc, direct or pool".
+std::string listed(const std::vector<std::string>& names);
 template <class T, std::size_t count>
 std::string names_of(const std::pair<const char*, T> (&table)[count]) {
-    std::string text;
-    for (std::size_t i = 0; i < count; ++i)
-        text += (i == 0 ? "" : i + 1 < count ? ", " : " or ") + std::string(table[i].first);
-    return text;
+    std::vector<std::string> names;
+    for (const auto& row : table) names.push_back(row.first);
+    return listed(names);
 }
 
 // The value with this name. Throws std::invalid_argument with the list of names.
@@ -111,7 +119,8 @@ Option integer_option(const char* name, const char* argument, const char* descri
 // 1 after any other exception. An exception becomes one line on stderr, which begins with the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
 
-// Prints a line on stderr, which begins with the program's name.
+// Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
+// long text the middle is left out: it may quote options and files.
 void print_note(const std::string& text);
 
 // What to say after the message of a NotPositiveDefinite; run_program does.

@@ -29,4 +29,9 @@ Option sample_list_option(std::vector<std::size_t>& samples) {
                     samples.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
             }};
 }
+
+std::vector<IdleOption> idle_model_options(const ModelSettings& s) {
+    const char* const name = s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness";
+    return {{name, std::string("--covariance ") + name_of(s.covariance, covariance_names)}};
+}
 }  // namespace bmc

@@ -18,5 +18,8 @@ Options model_options(ModelSettings& settings, const Option& known);
 // samples: a list such as 10,20,40, each at most max_process_samples.
 Option sample_list_option(std::vector<std::size_t>& samples);
 
+// Those of them that change nothing with these settings.
+std::vector<IdleOption> idle_model_options(const ModelSettings& settings);
+
 constexpr const char* known_remark = ": known part; sobolev 1.5 only";
 }  // namespace bmc

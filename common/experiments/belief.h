@@ -7,12 +7,13 @@
 namespace bmc {
 // What `workbench belief` prints: four discs side by side, as PPM. They show the light and the samples, the posterior
 // mean, the posterior standard deviation, and the error of the mean. stderr has the estimate of the integral.
-struct Belief {
+struct Belief : Experiment {
     std::size_t samples = 40;
     std::string environment = built_in_lights[0];
     ModelSettings settings;
 
-    Options options();
-    std::string report() const;
+    Options options() override;
+    std::vector<IdleOption> idle() const override { return idle_model_options(settings); }
+    std::string report() const override;
 };
 }  // namespace bmc

@@ -49,13 +49,18 @@ static std::string mean_cells(const Statistics& errors, int width) {
     return cell(width, errors.count > 0 ? errors.mean : NAN) + cell(10, plus_minus < least ? 0 : plus_minus);
 }
 
+static std::string integrand_names() {
+    std::vector<std::string> names;
+    for (const Integrand& integrand : practice_integrands()) names.push_back(integrand.name);
+    return listed(names);
+}
+
 // Throws std::invalid_argument if there is none.
 static std::vector<Integrand> integrands_named(const std::string& name) {
     std::vector<Integrand> named;
     for (const Integrand& integrand : practice_integrands())
         if (name.empty() || integrand.name == name) named.push_back(integrand);
-    if (named.empty())
-        throw std::invalid_argument("--integrand: '" + name + "' is not cosine, cosine-cubed, environment or constant");
+    if (named.empty()) throw std::invalid_argument("--integrand: '" + name + "' is not " + integrand_names());
     return named;
 }
 
@@ -85,8 +90,7 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 }
 
 Options ErrorTables::options() {
-    return joined({Options{text_option("integrand", "NAME",
-                                       "cosine, cosine-cubed, environment or constant (default all)", integrand),
+    return joined({Options{text_option("integrand", "NAME", integrand_names() + " (default all)", integrand),
                            sample_list_option(settings.samples),
                            integer_option("mc-estimates", "M", "estimates of MC in a mean error (default 1000)",
                                           settings.mc_estimates, 100000),

@@ -36,11 +36,12 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
 
 // What the workbench prints without a command: the tables of the practice's integrands.
-struct ErrorTables {
+struct ErrorTables : Experiment {
     std::string integrand;  // empty: all
     ErrorSettings settings;
 
-    Options options();
-    std::string report() const;  // throws PartialOutput if a process is refused
+    Options options() override;
+    std::vector<IdleOption> idle() const override { return idle_model_options(settings); }
+    std::string report() const override;  // throws PartialOutput if a process is refused
 };
 }  // namespace bmc

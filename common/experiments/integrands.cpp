@@ -5,11 +5,13 @@
 #include <numeric>
 
 namespace bmc {
-std::vector<Integrand> practice_integrands() {
-    return {{"cosine", "cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi},
-            {"cosine-cubed", "cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2},
-            environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
-            {"constant", "1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
+const std::vector<Integrand>& practice_integrands() {
+    static const std::vector<Integrand> integrands{
+        {"cosine", "cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi},
+        {"cosine-cubed", "cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2},
+        environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
+        {"constant", "1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
+    return integrands;
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {

@@ -17,8 +17,9 @@ struct Integrand {
     double truth;
 };
 
-// The practice's integrands: cos(theta), cos(theta)^3, environment_integrand of the built-in light, and 1.
-std::vector<Integrand> practice_integrands();
+// The practice's integrands: cos(theta), cos(theta)^3, environment_integrand of the built-in light, and 1. The
+// workbench makes a table of each, and lists their names.
+const std::vector<Integrand>& practice_integrands();
 
 constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
 

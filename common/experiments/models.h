@@ -17,11 +17,11 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
 double log_evidence(const GaussianProcess& process, const std::vector<double>& values);
 
 // What `workbench models` prints.
-struct ModelsReport {
+struct ModelsReport : Experiment {
     std::string environment = built_in_lights[0];
     std::size_t samples = 40;
 
-    Options options();
-    std::string report() const;
+    Options options() override;
+    std::string report() const override;
 };
 }  // namespace bmc

@@ -15,13 +15,16 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
+// 17 digits are a double: read_samples reads the directions that are printed here.
 static std::string weights_block(const GaussianProcess& process, Known known) {
-    std::string text = "#       x         y         z          z_j       weight\n";
+    std::string text =
+        "#                      x                        y                        z          z_j                   "
+        "weight\n";
     std::size_t negative = 0;
     for (std::size_t i = 0; i < process.weights().size(); ++i) {
         const Vec3 w = process.directions()[i];
         const double weight = process.weights()[i];
-        text += formatted("%9.6f %9.6f %9.6f %12.9g %12.6g\n", w.x, w.y, w.z, process.z()[i], weight);
+        text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", w.x, w.y, w.z, process.z()[i], weight);
         negative += weight < 0;
     }
     const QuadratureRule rule{process.directions(), process.weights(), known};
@@ -91,6 +94,13 @@ Options RuleReport::options() {
                              directions),
                  {"matrices", "", "prints Q and its inverse, too", [this](const std::string&) { matrices = true; }}},
          model_options(settings)});
+}
+
+std::vector<IdleOption> RuleReport::idle() const {
+    std::vector<IdleOption> idle = idle_model_options(settings);
+    for (const char* drawn : {"samples", "placement", "seed"})
+        if (!directions.empty()) idle.push_back({drawn, "--directions"});
+    return idle;
 }
 
 std::string RuleReport::report() const {

@@ -20,13 +20,14 @@ Samples read_samples(std::istream& in);
 
 // What `workbench rule` prints: directions, z and weights; what the weights sum to; with values the estimate of their
 // integral.
-struct RuleReport {
+struct RuleReport : Experiment {
     std::size_t samples = 40;
     std::string directions;  // a file; empty: drawn
     bool matrices = false;
     ModelSettings settings;
 
-    Options options();
-    std::string report() const;
+    Options options() override;
+    std::vector<IdleOption> idle() const override;
+    std::string report() const override;
 };
 }  // namespace bmc

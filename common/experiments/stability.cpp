@@ -1,7 +1,5 @@
 #include "experiments/stability.h"
 
-#include "command_line/command_line.h"
-
 #include <algorithm>
 
 namespace bmc {
@@ -87,7 +85,7 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
     return stability;
 }
 
-std::string stability_report() {
+std::string StabilityReport::report() const {
     std::string text =
         "# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all\n"
         "# directions are rotated about the up axis, which must not change a weight (-: the matrix is refused). Then\n"

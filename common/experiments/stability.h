@@ -3,6 +3,7 @@
 // change a weight (covariance.h), but it changes every rounding error. The digits that stay the same are right.
 #pragma once
 
+#include "command_line/command_line.h"
 #include "quadrature/quadrature.h"
 
 #include <optional>
@@ -30,5 +31,8 @@ struct Stability {
 std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const Covariance& covariance, double noise);
 
 // What `workbench stability` prints.
-std::string stability_report();
+struct StabilityReport : Experiment {
+    Options options() override { return {}; }
+    std::string report() const override;
+};
 }  // namespace bmc

@@ -20,12 +20,12 @@ struct RuleCost {
 RuleCost rule_cost(std::size_t n);
 
 // What `workbench tradeoff` prints.
-struct TradeoffReport {
+struct TradeoffReport : Experiment {
     std::string environment;  // empty: the built-in lights
     std::vector<std::size_t> samples{10, 40};
     CostSettings costs;
 
-    Options options();
-    std::string report() const;
+    Options options() override;
+    std::string report() const override;
 };
 }  // namespace bmc

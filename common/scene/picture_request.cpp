@@ -9,8 +9,12 @@ namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {
     const auto side = [](const std::string& number) { return static_cast<int>(parse_integer(number, 1, 8192)); };
     const std::size_t cross = text.find('x');
-    settings.width = side(text.substr(0, cross));
-    settings.height = cross == std::string::npos ? settings.width : side(text.substr(cross + 1));
+    try {
+        settings.width = side(text.substr(0, cross));
+        settings.height = cross == std::string::npos ? settings.width : side(text.substr(cross + 1));
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("'" + text + "' is not WxH or W, of whole numbers from 1 to 8192");
+    }
 }
 
 // Prints a warning if more than a tenth of the objects' pixels is brighter than white.
@@ -49,6 +53,21 @@ Options PictureRequest::options_with(const Option& known) {
                  enum_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
                  integer_option("threads", "T", "changes the time only (default: all processors)", settings.threads,
                                 256)}});
+}
+
+std::vector<IdleOption> PictureRequest::idle() const {
+    const std::string method = std::string("--method ") + name_of(settings.method, method_names);
+    std::vector<IdleOption> idle = idle_model_options(settings);
+    for (const char* of_process : {"covariance", "smoothness", "length-scale", "noise", "known"})
+        if (settings.method == Method::mc) idle.push_back({of_process, method});
+    if (settings.method != Method::pool) idle.push_back({"pool", method});
+    if (format == Format::pfm) idle.push_back({"exposure", "--format pfm"});
+    return idle;
+}
+
+std::string PictureRequest::report() const {
+    require_possible();
+    return file(image(load_environment(environment, settings.threads)));
 }
 
 void PictureRequest::require_possible() const {

@@ -6,16 +6,17 @@
 #include "scene/render.h"
 
 namespace bmc {
-struct PictureRequest {
+struct PictureRequest : Experiment {
     RenderSettings settings;
     std::string environment = built_in_lights[0];
     Format format = Format::ppm;
     double exposure = 0;  // in stops
 
     PictureRequest();  // on all processors
-    virtual ~PictureRequest() = default;
 
-    virtual Options options();  // they set the members of this object, which must outlive them and not move
+    Options options() override;
+    std::vector<IdleOption> idle() const override;
+    std::string report() const override;  // the file
 
     // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
     void require_possible() const;

@@ -176,7 +176,7 @@ std::string run(int argc, char** argv, int& status) {
     bool help = false;
     Options options = request.options();
     options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
-    const std::vector<std::string> files = parse_options(argc, argv, options);
+    const std::vector<std::string> files = parse_options(argc, argv, options).rest;
     if (help)
         return "usage: build/judge PICTURE [options]     a PPM or PFM of the sphere scene\n\n"
                "The options say how the picture was made; --size, --format and --seed do not count.\n\n" +

@@ -106,7 +106,7 @@ inline std::vector<std::string> parse(std::vector<std::string> words, const Opti
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     optind = 0;  // a fresh scan
-    return parse_options(static_cast<int>(words.size()), argv.data(), options);
+    return parse_options(static_cast<int>(words.size()), argv.data(), options).rest;
 }
 
 // Whether options take the words of one list and refuse those of the other.

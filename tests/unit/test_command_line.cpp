@@ -9,7 +9,7 @@ TEST_CASE("options take values in both spellings and leave the rest") {
         joined({Options{text_option("text", "X", "", text), real_option("real", "", real, -1, 2.5)},
                 Options{integer_option("whole", "N", "", whole, 4096),
                         {"flag", "", "", [&](const std::string& none) { flags += none.empty(); }}}});
-    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--whole", "4096", "-flag"}, options) ==
+    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--wh", "4096", "--fla"}, options) ==
           std::vector<std::string>{"rest"});
     CHECK(text == "3");
     CHECK(real == -0.5);
@@ -29,11 +29,29 @@ TEST_CASE("a mistake in an option is a message that names it") {
         CHECK_THROWS_AS(parse(words, options), std::invalid_argument);
         return message_of([&] { parse(words, options); });
     };
-    CHECK(mistake({"--other"}) == "there is no option --other; --help lists them all");
-    CHECK(mistake({"--text"}) == "--text needs a value; --help shows which");
+    CHECK(mistake({"--other=1"}) == "there is no option --other; --help lists them all");
+    for (const std::string single : {"-t", "-text", "-w4"})
+        CHECK(mistake({single, "4"}) == "there is no option " + single.substr(0, 2) +
+                                            "; options begin with two dashes, and --help lists them all");
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"--text"}, {"--tex"}, {"--text="}, {"--text", ""}, {"--text", "--flag"}, {"--text", "--"}})
+        CHECK(mistake(words) == "--text needs a value; --help shows which");
+    parse({"--text", "-"}, options);
+    CHECK(text == "-");
+    parse({"--text=--flag"}, options);
+    CHECK(text == "--flag");
     CHECK(mistake({"--whole", "0"}) == "--whole: '0' is not a whole number from 1 to 4096");
     CHECK(mistake({"--real=3"}) == "--real: '3' is not a number from -1 to 2.5");
-    mistake({"--flag=1"});
+    CHECK(mistake({"--flag=1"}) == "--flag takes no value");
+}
+
+TEST_CASE("an option may be shortened as long as one name begins so") {
+    std::string text;
+    const Options alike{text_option("same", "X", "", text), text_option("seed", "X", "", text),
+                        text_option("seed-two", "X", "", text), text_option("other", "X", "", text)};
+    CHECK(message_of([&] { parse({"--s=1"}, alike); }) == "--s is ambiguous: --same, --seed or --seed-two");
+    CHECK(parse({"--seed=1", "--sa=2"}, alike).empty());
+    CHECK(text == "2");
 }
 
 TEST_CASE("numbers are read entirely or not at all") {
@@ -67,19 +85,48 @@ TEST_CASE("a choice is one of the names of a table, which the help lists") {
     CHECK(letter == Letter::c);
 }
 
-struct Echo {
-    std::string text;
-    Options options() { return {text_option("text", "X", "", text)}; }
-    std::string report() const { return text; }
+struct Echo : Experiment {
+    std::string text, more;
+    Options options() override { return {text_option("text", "X", "what", text), text_option("more", "X", "", more)}; }
+    std::vector<IdleOption> idle() const override {
+        return text == "no" ? std::vector<IdleOption>{{"more", "--text no"}, {"text", "itself"}, {"other", ""}}
+                            : std::vector<IdleOption>{};
+    }
+    std::string report() const override { return text + more; }
 };
 
-TEST_CASE("each command has its own options, which set what its report prints") {
-    const Command one = command<Echo>("echo", "repeats"), two = command<Echo>("echo", "repeats");
-    parse({"--text", "hello"}, one.options);
-    CHECK(one.report() == "hello");
-    CHECK(two.report() == "");
-    CHECK(one.name == "echo");
-    CHECK(one.summary == "repeats");
+TEST_CASE("a note names each option that is given and changes nothing") {
+    std::string output;
+    const auto printed = [&](std::vector<std::string> words) {
+        std::vector<char*> argv;
+        for (std::string& word : words) argv.push_back(word.data());
+        argv.push_back(nullptr);
+        optind = 0;  // a fresh scan
+        return stderr_of([&] {
+            output = run_command({"echo", "repeats", std::make_shared<Echo>()}, "usage\n",
+                                 static_cast<int>(words.size()), argv.data());
+        });
+    };
+    CHECK(printed({"echo", "--text", "yes", "--more=1"}) == "");
+    CHECK(output == "yes1");
+    CHECK(printed({"echo", "--help", "--more=1", "--text=no"}) == "");
+    CHECK(output == Containing{"usage\n\n  --text X "});
+    const std::string both = printed({"echo", "--more=1", "--text=no", "--more=2"});
+    CHECK(both == Containing{": note: --more changes nothing with --text no\n"});
+    CHECK(both == Containing{": note: --text changes nothing with itself\n"});
+    CHECK(std::count(both.begin(), both.end(), '\n') == 2);
+    CHECK(output == "no2");
+    CHECK_THROWS_WITH(printed({"echo", "x"}), "'x' is an argument of no option; --help lists the options");
+}
+
+TEST_CASE("a note is one line without control characters, the middle left out if long") {
+    const auto shown = [](const std::string& text) { return stderr_of([&] { print_note(text); }); };
+    CHECK(shown("a\nb\r\x1b[2J\x7f\xc2\x9b \xc3\x9c") == Containing{": a?b??[2J?\xc2? \xc3\x9c\n"});
+    const std::string ends = shown("first" + std::string(100000, 'x') + "last");
+    CHECK(ends == Containing{": first"});
+    CHECK(ends == Containing{"last\n"});
+    CHECK(ends.size() < 700);
+    CHECK(shown(std::string(600, 'x')) == Containing{": " + std::string(600, 'x') + "\n"});
 }
 
 TEST_CASE("an exception is a line on standard error, and the exit status 2 or 1") {

@@ -83,5 +83,5 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
     CHECK(std::fabs(std::sqrt(squares / 20) / 1.5 - 1) < 0.15);
     CHECK(samples_for(1e9, 1000, light, settings).samples == 2);
     CHECK(message_of([&] { samples_for(1e-9, 6, light, settings); }) ==
-          Containing{"an RMSE of 1e-09 is out of reach: 6 samples, the most allowed, have one of "});
+          Containing{"an RMSE of 1e-09 is out of reach: 6 samples, the most tried, have one of "});
 }

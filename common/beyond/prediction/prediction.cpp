@@ -63,8 +63,8 @@ double pilot_rmse(const EnvironmentLight& light, PictureSettings settings) {
 }
 
 ChosenSamples samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings) {
+    settings.pool = settings.method == Method::pool ? std::min<std::size_t>(settings.pool, 4) : 4;
     if (settings.method != Method::mc) settings.method = Method::pool;
-    settings.pool = std::min<std::size_t>(settings.pool, 4);
     const auto predict = [&](std::size_t samples) {
         settings.samples = samples;
         return ChosenSamples{samples, pilot_rmse(light, settings)};
@@ -82,7 +82,7 @@ ChosenSamples samples_for(double target, std::size_t most, const EnvironmentLigh
     const double wanted = first * portable::pow(target / last.rmse, 1 / slope);
     if (next.rmse > target)
         throw std::runtime_error(
-            formatted("an RMSE of %g is out of reach: %zu samples, the most allowed, have one of "
+            formatted("an RMSE of %g is out of reach: %zu samples, the most tried, have one of "
                       "%.2g, and about %.2g samples would be needed",
                       target, most, next.rmse, wanted));
     const std::size_t chosen = std::clamp(static_cast<std::size_t>(std::ceil(wanted)), last.samples + 1, next.samples);
