@@ -125,8 +125,9 @@ std::vector<Number> numbers_of(const Image& picture, const Image& truth, const O
 }
 
 std::vector<Number> numbers_of(const Image& picture, const Image& truth, bool one_rule) {
-    return numbers_of(picture, truth, Object::sphere, one_rule) +
-           numbers_of(picture, truth, Object::rectangle, one_rule);
+    std::vector<Number> all = numbers_of(picture, truth, Object::sphere, one_rule);
+    for (const Number& number : numbers_of(picture, truth, Object::rectangle, one_rule)) all.push_back(number);
+    return all;
 }
 
 // A line for each number that is more than `most` deviations away from those of correct pictures.
