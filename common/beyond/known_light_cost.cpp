@@ -1,6 +1,7 @@
 #include "beyond/known_light_cost.h"
 
 #include "light/load_environment.h"
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 
 namespace bmc::beyond {
@@ -16,6 +17,7 @@ static ComparedPicture picture_of_known(const EnvironmentLight& light, Method me
 static std::string prediction_cells(const ComparedPicture& compared, RenderSettings settings, const Image& truth) {
     RootMeanSquare predicted;
     Statistics covered;
+    Progress progress(static_cast<double>(seeds_of(settings)));
     const std::uint64_t end = settings.seed + seeds_of(settings);
     for (Image before = compared.image(settings); ++settings.seed != end;) {
         Image image = compared.image(settings);
@@ -23,8 +25,21 @@ static std::string prediction_cells(const ComparedPicture& compared, RenderSetti
         predicted.add(root_mean_square(errors));
         covered.add(coverage(image, truth, errors));
         before = std::move(image);
+        progress.done();
     }
     return formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
+}
+
+static std::vector<std::string> all_prediction_cells(const std::vector<ComparedPicture>& compared,
+                                                     const CostSettings& costs, const Image& truth) {
+    std::vector<std::string> cells;
+    Progress progress(2 * static_cast<double>(compared.size()), table_parts);
+    for (const ComparedPicture& each : compared)
+        for (const std::size_t n : {10u, 40u}) {
+            cells.push_back(prediction_cells(each, row_settings(costs, each.settings, n), truth));
+            progress.done();
+        }
+    return cells;
 }
 
 Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings, std::size_t samples) {
@@ -63,11 +78,14 @@ std::string KnownLightReport::report() const {
     std::vector<std::string> names{environment};
     if (environment.empty()) names = {std::begin(built_in_lights), std::end(built_in_lights)};
     std::string text;
+    Progress progress(static_cast<double>(names.size()) * (2 + 2 * table_parts));
     for (const std::string& name : names) {
         const EnvironmentMap map = load_environment(name);
         const RenderSettings settings = row_settings(costs, {}, 0);
         const EnvironmentLight light(map, true, settings.threads);
+        progress.done();
         const Image truth = truth_with_sun(map, settings, 10000);
+        progress.done();
         const std::vector<ComparedPicture> compared{
             compared_picture(map, Method::mc, 1, Placement::uniform),
             compared_picture(map, Method::pool, 20, Placement::uniform),
@@ -77,10 +95,9 @@ std::string KnownLightReport::report() const {
             picture_of_known(light, Method::mc, 1, Placement::cosine_fibonacci),
             picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
         const std::vector<PictureCost> rows = picture_costs(compared, {10, 40}, costs, truth);
-        std::vector<std::string> cells;
-        for (const ComparedPicture& each : compared)
-            for (const std::size_t n : {10u, 40u})
-                cells.push_back(prediction_cells(each, row_settings(costs, each.settings, n), truth));
+        progress.done(table_parts);
+        const std::vector<std::string> cells = all_prediction_cells(compared, costs, truth);
+        progress.done(table_parts);
         text += (text.empty() ? "" : "\n\n") + ("# The sphere scene under " + name) +
                 ". Columns as of tradeoff; predicted: the rmse that two of the pictures predict; within: the\n"
                 "# fraction of errors within two predicted ones.\n" +

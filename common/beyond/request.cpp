@@ -1,5 +1,7 @@
 #include "beyond/request.h"
 
+#include "numerics/progress.h"
+
 namespace bmc::beyond {
 // sun: the fraction of the light that both pictures may miss.
 static void print_prediction(const PictureSettings& settings, double rmse, double sun) {
@@ -56,8 +58,10 @@ Image Request::image(const EnvironmentMap& map) const {
     const Scene scene = sphere_scene();
     const PixelRules rules = rules_of(light, chosen);
     warn_of_weights(rules);
+    Progress progress(show == Show::picture ? 1 : 2);
     Image image = render(scene, map, chosen, shader_of(scene, light, chosen, rules));
     if (show == Show::picture) return image;
+    progress.done();
     Image errors = standard_errors(image, picture(light, with_next_seed(chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen, predicted, sun);

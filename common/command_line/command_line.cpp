@@ -1,6 +1,7 @@
 #include "command_line/command_line.h"
 
 #include "linear_algebra/cholesky.h"
+#include "numerics/progress.h"
 
 #include <fcntl.h>
 #include <getopt.h>
@@ -13,8 +14,6 @@
 #include <set>
 
 namespace bmc {
-static const char* program = "bmc";  // its name, once run_program has begun
-
 static void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
@@ -108,8 +107,8 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (!given.rest.empty())
         throw std::invalid_argument("'" + given.rest[0] + "' is an argument of no option; --help lists the options");
     if (!command.file.empty() && isatty(STDOUT_FILENO))
-        throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program + ' ' +
-                                    command.name + (command.name.empty() ? "> " : " > ") + command.file);
+        throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + Progress::program +
+                                    ' ' + command.name + (command.name.empty() ? "> " : " > ") + command.file);
     note_idle(given.options, command.experiment->idle());
     return command.experiment->report();
 }
@@ -139,11 +138,12 @@ void print_note(const std::string& text) {
         const bool of_utf8 = i > 0 && shown[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
         if (byte < ' ' || byte == 0x7f || of_utf8) shown[i] = '?';
     }
-    std::fprintf(stderr, "%s: %s\n", program, shown.c_str());
+    Progress::show("");
+    std::fprintf(stderr, "%s: %s\n", Progress::program.c_str(), shown.c_str());
 }
 
 int run_program(const char* name, const std::function<std::string()>& body) {
-    program = name;
+    Progress::program = name;
     const auto fail = [](const std::string& problem, int status) {
         print_note(problem);
         return status;

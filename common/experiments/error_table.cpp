@@ -1,5 +1,7 @@
 #include "experiments/error_table.h"
 
+#include "numerics/progress.h"
+
 namespace bmc {
 // An error that is only rounding is 0, so that programs that multiply in another order agree.
 static double absolute_error(double estimate, double truth) {
@@ -64,12 +66,25 @@ static std::vector<Integrand> integrands_named(const std::string& name) {
     return named;
 }
 
+// How long the estimates with so many samples take, in any unit.
+static double work(std::size_t samples) { return static_cast<double>(samples * samples); }
+
+// The same integrands; a part is done with so many values of the first one.
+static std::vector<Integrand> counted(std::vector<Integrand> integrands, std::size_t values, Progress& progress) {
+    integrands[0].value = [&progress, values, value = integrands[0].value, calls = std::size_t{0}](Vec3 omega) mutable {
+        if (++calls % values == 0) progress.done();
+        return value(omega);
+    };
+    return integrands;
+}
+
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings) {
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples, {}, {}, {}});
     add_mc_errors(rows, integrands, settings);
     try {
-        add_bmc_errors(rows, integrands, settings);
+        Progress progress(static_cast<double>(settings.bmc_estimates), work(samples));
+        add_bmc_errors(rows, counted(integrands, samples, progress), settings);
     } catch (const NotPositiveDefinite& refused) {
         for (ErrorRow& row : rows) {
             row.bmc = row.predicted = {};
@@ -103,8 +118,12 @@ std::string ErrorTables::report() const {
     const std::vector<Integrand> integrands = integrands_named(integrand);
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text, refused, reason;
+    double all_work = 0;
+    for (const std::size_t n : settings.samples) all_work += work(n);
+    Progress progress(all_work);
     for (const std::size_t n : settings.samples) {
         const std::vector<ErrorRow> rows = error_rows(integrands, n, settings);
+        progress.done(work(n));
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
         if (rows[0].refusal.empty()) continue;
         refused += ' ' + std::to_string(n);

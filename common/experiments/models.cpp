@@ -1,5 +1,6 @@
 #include "experiments/models.h"
 
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 #include "scene/scene.h"
 
@@ -33,7 +34,8 @@ struct ModelResults {
 ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>& integrands, std::size_t samples) {
     const auto covariance = model.make_covariance();
     ModelResults all;
-    for (std::size_t set = 0; set < sets; ++set) {
+    Progress progress(sets);
+    for (std::size_t set = 0; set < sets; ++set, progress.done()) {
         const GaussianProcess process(*covariance, model.noise, directions_of_estimate({}, samples, set).directions);
         RootMeanSquare error, predicted;
         Statistics evidence;
@@ -108,8 +110,11 @@ std::string ModelsReport::report() const {
         "# rmse, 1 is honest; evidence: log evidence per point less that of the first row, larger is better.\n"
         "# covariance          parameter  noise       rmse         +-  ratio  evidence\n";
     double evidence_of_default = 0;
-    for (const ModelSettings& model : all_models()) {
+    const std::vector<ModelSettings> models = all_models();
+    Progress progress(static_cast<double>(models.size()));
+    for (const ModelSettings& model : models) {
         const ModelResults v = results_of(model, integrands, samples);
+        progress.done();
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
         text += formatted("%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance, covariance_names),
                           parameter_of(model), model.noise, v.error.value(), v.error.standard_error(),

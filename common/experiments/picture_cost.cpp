@@ -1,6 +1,7 @@
 #include "experiments/picture_cost.h"
 
 #include "experiments/picture_error.h"
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace bmc {
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
 static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettings settings) {
     settings.threads = 1;
+    Progress uncounted(1, 0);
     const auto seconds_at = [&](int side) {
         settings.width = settings.height = side;
         return time_call([&] { picture.image(settings); });
@@ -24,11 +26,13 @@ static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettin
 static PictureCost picture_cost(const ComparedPicture& picture, RenderSettings settings, const Image& truth) {
     RootMeanSquare rmse, brightness;
     Statistics correlation;
+    Progress progress(static_cast<double>(seeds_of(settings)));
     for (const std::uint64_t end = settings.seed + seeds_of(settings); settings.seed != end; ++settings.seed) {
         const ImageError error = image_error(picture.image(settings), truth);
         rmse.add(error.rmse);
         brightness.add(error.brightness);
         correlation.add(error.correlation);
+        progress.done();
     }
     return {settings, picture.known, rmse.value(), rmse.standard_error(), correlation.mean, brightness.value(), 0};
 }
@@ -111,10 +115,12 @@ std::vector<PictureCost> picture_costs(const std::vector<ComparedPicture>& compa
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureCost> rows;
+    Progress progress(static_cast<double>(compared.size() * samples.size()), table_parts);
     for (const ComparedPicture& each : compared)
         for (const std::size_t n : samples) {
             const RenderSettings settings = row_settings(costs, each.settings, n);
             rows.push_back(picture_cost(each, settings, truth));
+            progress.done();
             if (costs.timed) rows.back().seconds_per_megapixel = seconds_per_megapixel(each, settings);
         }
     return rows;

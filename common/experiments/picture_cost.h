@@ -45,6 +45,9 @@ std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light);
 // The seconds of one call: the least of four measurements, which take at least 2 ms each.
 double time_call(const std::function<void()>& action);
 
+// The parts of a Progress that picture_costs makes up, if a reference image is one.
+constexpr double table_parts = 9;
+
 // Each of the pictures with each number of samples. Throws std::runtime_error if nothing is lit in the truth: then
 // there is nothing to compare.
 std::vector<PictureCost> picture_costs(const std::vector<ComparedPicture>& compared,

@@ -1,5 +1,7 @@
 #include "experiments/stability.h"
 
+#include "numerics/progress.h"
+
 #include <algorithm>
 
 namespace bmc {
@@ -95,6 +97,10 @@ std::string StabilityReport::report() const {
         "# set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6    "
         "    0\n";
     std::vector<int> fewest(std::size(noises), 16), refused(std::size(noises));
+    const auto work = [](std::size_t samples) { return static_cast<double>(samples * samples * samples); };
+    double all = 0;
+    for (const Setting& each : settings()) all += std::size(noises) * work(each.samples);
+    Progress progress(all);
     for (const auto& [set, samples, family, parameter] : settings()) {
         ModelSettings model;
         model.covariance = family;
@@ -105,6 +111,7 @@ std::string StabilityReport::report() const {
         std::string constants;
         for (std::size_t i = 0; i < std::size(noises); ++i) {
             const auto stability = stability_of(sample_set(set, samples), *covariance, noises[i]);
+            progress.done(work(samples));
             text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "    -";
             if (i == 1 || i == 3 || i == 6)
                 constants += stability ? formatted(" %8.3g", stability->constant) : "        -";

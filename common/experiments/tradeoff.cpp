@@ -2,6 +2,7 @@
 
 #include "experiments/picture_error.h"
 #include "light/load_environment.h"
+#include "numerics/progress.h"
 
 #include <algorithm>
 
@@ -47,8 +48,10 @@ static std::string rule_report() {
         "# What a rule costs, measured here: microseconds of each step, and of z by 50,000 random directions in place "
         "of\n"
         "# its closed form.\n# samples       draw          Q     factor          z    weights     z50000\n";
+    Progress progress(6, table_parts);
     for (const std::size_t n : {10u, 20u, 40u, 100u, 200u, 500u}) {
         const RuleCost cost = rule_cost(n);
+        progress.done();
         text += formatted("%9zu", n);
         for (const RuleCost::Step& step : cost.steps) text += formatted(" %10.3g", 1e6 * step.seconds);
         text += formatted(" %10.3g\n", 1e6 * cost.z_by_sum);
@@ -88,14 +91,18 @@ Options TradeoffReport::options() {
 std::string TradeoffReport::report() const {
     std::vector<std::string> names{environment};
     if (environment.empty()) names = {std::begin(built_in_lights), std::end(built_in_lights)};
+    Progress progress(table_parts + static_cast<double>(names.size()) * (1 + table_parts));
     std::string text = costs.timed ? rule_report() : "";
+    progress.done(table_parts);
     for (const std::string& name : names) {
         const EnvironmentMap light = load_environment(name);
         const Image truth = reference_image(light, row_settings(costs, {}, 0), 10000);
+        progress.done();
         text += (name == names[0] ? "" : "\n\n") +
                 formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
                 name + ".\n" + meaning + (costs.timed ? measured : "") +
                 picture_table(picture_costs(compared_pictures(light), samples, costs, truth), costs.timed);
+        progress.done(table_parts);
     }
     return text;
 }

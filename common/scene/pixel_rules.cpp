@@ -24,7 +24,11 @@ static std::size_t shared_count(const RenderSettings& settings) {
 
 PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings) {
     if (settings.method != Method::mc) covariance_ = settings.make_covariance();
-    if (shared_count(settings) > 0) shared_ = shared_rules();
+    if (shared_count(settings) == 0) return;
+    Progress progress(static_cast<double>(shared_count(settings)), 0);  // pictures that are parts of more begin with it
+    making_ = &progress;
+    shared_ = shared_rules();
+    making_ = nullptr;
 }
 
 // The shared_count(settings_) rules, made once: rule i by fresh_rule and rule_stream(settings_, i).
@@ -41,9 +45,11 @@ SharedRules PixelRules::shared_rules() const {
 
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
     DirectionSet set = place_directions(settings_.placement, settings_.samples, random);
-    return std::make_shared<QuadratureRule>(cosine_rule(
+    auto rule = std::make_shared<QuadratureRule>(cosine_rule(
         settings_.method == Method::mc ? monte_carlo_rule(std::move(set))
                                        : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions))));
+    if (making_) making_->done();
+    return rule;
 }
 
 OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {

@@ -2,6 +2,7 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
+#include "numerics/progress.h"
 #include "scene/reflection.h"
 
 namespace bmc {
@@ -59,5 +60,6 @@ private:
     RenderSettings settings_;
     std::shared_ptr<const Covariance> covariance_;  // none of mc
     SharedRules shared_;
+    Progress* making_ = nullptr;  // the stage in which shared_ is made
 };
 }  // namespace bmc
