@@ -19,29 +19,39 @@ std::string header_line(std::istream& in) {
     return text;
 }
 
-struct Size {
+struct Header {
     int width, height;
+    double exposure = 1;  // the radiances of the file are so many times the true ones
 };
 
-Size read_header(std::istream& in) {
+double exposure_of(const std::string& line) {
+    double exposure = 0;
+    char more;
+    if (std::sscanf(line.c_str(), "EXPOSURE=%lf %c", &exposure, &more) == 1 && exposure >= 1e-6 && exposure <= 1e6)
+        return exposure;
+    throw std::runtime_error("'" + line + "' is no exposure from 1e-6 to 1e6");
+}
+
+Header read_header(std::istream& in) {
     in.exceptions(std::ios::badbit);  // an error of reading does not end the file
     const std::string program = header_line(in);
     if (program != "#?RADIANCE" && program != "#?RGBE")
         throw std::runtime_error("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
+    Header header{};
     int lines = 0;
     for (std::string line = header_line(in); !line.empty(); line = header_line(in)) {
         if (++lines > 1000) throw std::runtime_error("the header has more than 1000 lines");
         if (line.compare(0, 7, "FORMAT=") == 0 && line != "FORMAT=32-bit_rle_rgbe")
             throw std::runtime_error("'" + line + "' is not supported, only FORMAT=32-bit_rle_rgbe is");
+        if (line.compare(0, 9, "EXPOSURE=") == 0) header.exposure *= exposure_of(line);
     }
     const std::string line = header_line(in);
-    Size size{};
     char more;
-    if (std::sscanf(line.c_str(), "-Y %9d +X %9d %c", &size.height, &size.width, &more) != 2 || size.width < 1 ||
-        size.height < 1 || std::int64_t{size.width} * size.height > EnvironmentMap::max_texels)
+    if (std::sscanf(line.c_str(), "-Y %9d +X %9d %c", &header.height, &header.width, &more) != 2 || header.width < 1 ||
+        header.height < 1 || std::int64_t{header.width} * header.height > EnvironmentMap::max_texels)
         throw std::runtime_error("resolution line '" + line + "': it should be '-Y height +X width', with at most " +
                                  std::to_string(EnvironmentMap::max_texels) + " texels");
-    return size;
+    return header;
 }
 
 unsigned char byte(std::istream& in) {
@@ -85,18 +95,22 @@ void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanl
 
 }  // namespace
 
-// Radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
+// Without EXPOSURE radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
 EnvironmentMap read_radiance_hdr(std::istream& in) {
-    const Size size = read_header(in);
+    const Header header = read_header(in);
     std::vector<Rgbe> scanline;
     std::vector<float> rgb;
-    for (int row = 0; row < size.height; ++row) {
-        read_scanline(in, static_cast<std::size_t>(size.width), scanline);
+    for (int row = 0; row < header.height; ++row) {
+        read_scanline(in, static_cast<std::size_t>(header.width), scanline);
         for (const Rgbe& rgbe : scanline) {
             const float scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0f, rgbe[3] - 136);
-            for (std::size_t i = 0; i < 3; ++i) rgb.push_back(static_cast<float>(rgbe[i]) * scale);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double radiance = rgbe[i] * static_cast<double>(scale) / header.exposure;
+                if (!(radiance <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
+                rgb.push_back(static_cast<float>(radiance));
+            }
         }
     }
-    return EnvironmentMap(size.width, size.height, std::move(rgb));
+    return EnvironmentMap(header.width, header.height, std::move(rgb));
 }
 }  // namespace bmc

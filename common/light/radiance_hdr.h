@@ -7,8 +7,8 @@
 
 namespace bmc {
 // Reads a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
-// radiance = mantissa * 2^(exponent - 136), exactly. Scanlines may be flat or run-length coded, but not in the way of
-// before 1991; the resolution line must be "-Y height +X width". EXPOSURE is ignored, as the practice's loader does.
-// Memory grows with what the file holds. Throws std::runtime_error: one line with the problem.
+// radiance = mantissa * 2^(exponent - 136), exactly, over the product of the EXPOSURE lines. Scanlines may be flat or
+// run-length coded, but not in the way of before 1991; the resolution line must be "-Y height +X width". Memory
+// grows with what the file holds. Throws std::runtime_error: one line with the problem.
 EnvironmentMap read_radiance_hdr(std::istream& in);
 }  // namespace bmc

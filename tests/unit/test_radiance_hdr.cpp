@@ -58,7 +58,7 @@ TEST_CASE("a first texel that looks coded, but for a width, begins a flat scanli
 TEST_CASE("a header may have CRLF, other variables, and no format") {
     const std::string texel = bytes_of({1, 2, 3, 136});
     for (const std::string& file : {"#?RGBE\r\n# comment\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" + texel,
-                                    "#?RADIANCE\nEXPOSURE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel + "garbage"})
+                                    "#?RADIANCE\nSOFTWARE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel + "garbage"})
         CHECK_MESSAGE((channels(read_hdr(file)) == std::vector<double>{1, 2, 3}), file);
 }
 
