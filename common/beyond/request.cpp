@@ -3,18 +3,11 @@
 #include "numerics/progress.h"
 
 namespace bmc::beyond {
-// sun: the fraction of the light that both pictures may miss.
-static void print_prediction(const PictureSettings& settings, double rmse, double sun) {
-    std::string remark;
-    if (sun > 0)
-        remark = formatted("; it may miss the sun, %.3g %% of the light: take --known light", 100 * sun);
-    else if (settings.method == Method::single)
-        remark = "; all pixels share one rule, and this seed may be far off";
-    print_note(formatted("%zu sample%s for a predicted RMSE of %.2g%s", settings.samples,
-                         settings.samples == 1 ? "" : "s", rmse, remark.c_str()));
+static void print_prediction(std::size_t samples, double rmse) {
+    print_note(formatted("%zu sample%s for a predicted RMSE of %.2g", samples, samples == 1 ? "" : "s", rmse));
 }
 
-// The root mean square of each pixel's colours, from black at 0 to white at `white`.
+// The root mean square over each pixel's colours, from black at 0 to white at `white`.
 static Image grey_scale(Image errors, double white) {
     for (Color& pixel : errors.pixels) {
         const double level = white > 0 ? std::sqrt(dot(pixel, pixel) / 3) / white : 0;
@@ -44,27 +37,25 @@ Image Request::image(const EnvironmentMap& map) const {
     PictureSettings chosen{settings, light_known};
     chosen.known = known == KnownFactor::nothing ? Known::nothing : Known::cosine;
     const EnvironmentLight light(map, light_known, settings.threads);
-    const double sun = light_known || (rmse == 0 && show == Show::picture) ? 0 : Sun(map).share();
     if (rmse > 0) {
-        if (sun > 0)
-            throw std::invalid_argument(
-                formatted("--rmse: samples may miss the sun, which sends %.3g %% of the light; take --known "
-                          "light",
-                          100 * sun));
-        const ChosenSamples found = samples_for(rmse, max_process_samples, light, chosen);
-        chosen.samples = found.samples;
-        print_prediction(chosen, found.rmse, 0);
+        const Prediction found = samples_for(rmse, max_process_samples, light, chosen);
+        if (found.samples > max_process_samples)
+            throw std::runtime_error(
+                formatted("--rmse: about %.1g samples would be needed, and 4096 are the most allowed", found.samples) +
+                (light_known ? "" : "; take --known light, with the default covariance"));
+        chosen.samples = static_cast<std::size_t>(found.samples);
+        print_prediction(chosen.samples, found.rmse);
     }
     const Scene scene = sphere_scene();
     const PixelRules rules = rules_of(light, chosen);
-    warn_of_weights(rules);
+    if (!light_known) warn_of_weights(rules);  // a quotient of sums, where the light is known, has no such errors
     Progress progress(show == Show::picture ? 1 : 2);
     Image image = render(scene, map, chosen, shader_of(scene, light, chosen, rules));
     if (show == Show::picture) return image;
     progress.done();
-    Image errors = standard_errors(image, picture(light, with_next_seed(chosen)));
+    Image errors = predicted_errors(image, render(scene, map, chosen, better_shader(scene, light, chosen)));
     const double predicted = root_mean_square(errors);
-    if (rmse == 0) print_prediction(chosen, predicted, sun);
+    if (rmse == 0) print_prediction(chosen.samples, predicted);
     if (format == Format::ppm) return grey_scale(std::move(errors), 2 * predicted);
     return errors;
 }

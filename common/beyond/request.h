@@ -5,11 +5,11 @@
 #include "scene/picture_request.h"
 
 namespace bmc::beyond {
-// What a file shows of each point: the light that it reflects, or the standard error predicted for that light.
+// What a file shows of each point: the light that it reflects, or the error predicted for that light.
 enum class Show { picture, error };
 constexpr std::pair<const char*, Show> show_names[] = {{"picture", Show::picture}, {"error", Show::error}};
 
-// What is known of the integrand L(w) V(w) cos(theta).
+// What is known of the integrand L(omega) v(omega) cos(theta).
 enum class KnownFactor { nothing, cosine, light };
 constexpr std::pair<const char*, KnownFactor> known_factor_names[] = {
     {"nothing", KnownFactor::nothing}, {"cosine", KnownFactor::cosine}, {"light", KnownFactor::light}};
@@ -22,8 +22,7 @@ struct Request : PictureRequest {
     Options options() override;
     std::vector<IdleOption> idle() const override;
 
-    // Prints the prediction on stderr. Throws std::invalid_argument for an RMSE under a sun (sun.h) that is not known,
-    // since both pictures may miss it.
+    // Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many samples.
     Image image(const EnvironmentMap& map) const override;
 };
 }  // namespace bmc::beyond

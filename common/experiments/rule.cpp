@@ -28,13 +28,15 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
         negative += weight < 0;
     }
     const QuadratureRule rule{process.directions(), process.weights(), known};
+    const double ratio = relative_weight_sum(rule), integral = known_integral(known);
     return text +
            formatted(
                "# The weights sum to %.6g; the integral of %s is %.6g. The ratio is %.4g: 1 is exact for constants.\n"
-               "# Their sizes sum to S = %.4g times that integral. Monte Carlo has 1; above 2, errors of samples\n"
-               "# grow and pictures get worse than Monte Carlo's. %zu weights are negative.\n",
-               relative_weight_sum(rule) * known_integral(known), known == Known::cosine ? "cos(theta)" : "1",
-               known_integral(known), relative_weight_sum(rule), stability_constant(rule), negative);
+               "# Their sizes sum to S = %.4g times that integral; Monte Carlo has 1. %zu weights are negative.\n"
+               "# In a picture, a white world has the brightness B = %.4g; 1 is right. The errors of samples count\n"
+               "# %.3g times as much as in Monte Carlo. Above 2, pictures are usually worse than Monte Carlo's.\n",
+               ratio * integral, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
+               negative, white_brightness(rule), noise_gain(rule));
 }
 
 static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {

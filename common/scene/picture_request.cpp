@@ -95,24 +95,25 @@ std::string PictureRequest::file(Image image) const {
 
 void warn_of_weights(const PixelRules& rules) {
     SharedRules examined = rules.shared();
-    if (examined.empty()) {
-        Random random = pixel_stream(rules.settings(), 0, 0);
+    for (int x = 0; x < 20 && rules.shared().empty(); ++x) {
+        Random random = pixel_stream(rules.settings(), x, 0);
         examined.push_back(rules.fresh_rule(random));
     }
-    Statistics stability, sum;
+    RootMeanSquare gain;
+    Statistics brightness;
     for (const auto& rule : examined) {
-        stability.add(stability_constant(*rule));
-        sum.add(relative_weight_sum(*rule));
+        gain.add(noise_gain(*rule));
+        brightness.add(white_brightness(*rule));
     }
-    if (stability.mean > 2)
-        print_note(formatted(
-            "warning: the sizes of a rule's weights sum to %.3g times the known integral (usual: 1 to 1.3), so "
-            "errors grow; take the default covariance, or --noise 0.1",
-            stability.mean));
-    else if (sum.mean < 0.5)
-        print_note(formatted(
-            "warning: a rule's weights sum to %.3g times the known integral (usual: 0.9 to 1), so the picture "
-            "is too dark; take the default covariance and noise",
-            sum.mean));
+    const double excess = brightness.mean - 1;
+    const double of_monte_carlo = 1 / std::sqrt(3 * static_cast<double>(rules.settings().samples));
+    std::string harm;
+    if (gain.value() > 2)
+        harm =
+            formatted("weights cancel, and errors of samples count %.2g times as much as in Monte Carlo", gain.value());
+    else if (std::fabs(excess) > 2 * of_monte_carlo)
+        harm = formatted("the weights make a white world %.0f %% too %s, more than twice Monte Carlo's error",
+                         100 * std::fabs(excess), excess < 0 ? "dark" : "bright");
+    if (!harm.empty()) print_note("warning: " + harm + "; take the default method, covariance and noise");
 }
 }  // namespace bmc

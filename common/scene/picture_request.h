@@ -32,7 +32,8 @@ protected:
     Options options_with(const Option& known);
 };
 
-// Prints a warning on stderr if the weights of the shared rules, or of a pixel's own, cannot make a good picture: S > 2
-// (stability_constant) in the mean, or a sum below half of the integral of cos(theta).
+// Prints a warning on stderr if the error of these rules is more than twice that of Monte Carlo with as many samples in
+// one of two worlds, a white one or one of noise (white_brightness, noise_gain): in the mean over the shared rules, or
+// over twenty fresh ones where pixels share none.
 void warn_of_weights(const PixelRules& rules);
 }  // namespace bmc

@@ -29,3 +29,15 @@ TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
     lamp.set(20, 8, {50, 50, 50});
     CHECK(image_error(truth_with_sun(lamp, settings, 1000), truth_with_sun(lamp, settings, 10000)).rmse < 0.003);
 }
+
+// Equal weights on the cosine lattice, which the better picture has, are the best that the picture itself can have.
+TEST_CASE("a better picture has at most half of the error of the best, under a sun, too") {
+    for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
+        const PictureSettings settings{small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci), false};
+        const Scene scene = sphere_scene();
+        const Image truth = truth_with_sun(map, settings, 10000),
+                    better = render(scene, map, settings, better_shader(scene, {map, false, 1}, settings));
+        CAPTURE(map.width());
+        CHECK(image_error(better, truth).rmse < 0.5 * image_error(picture(map, settings), truth).rmse);
+    }
+}

@@ -83,22 +83,67 @@ TEST_CASE("of less than a hundred pixels the brightest is made white") {
     CHECK(stderr_of([&] { PictureRequest().file(rising); }) == Containing{formatted("--exposure %.1f ", -stops)});
 }
 
-// The noise passes both thresholds in small steps.
-TEST_CASE("weights whose sizes sum to S > 2, or that sum to less than half, give a warning") {
+static std::string warning_of(const RenderSettings& settings) {
+    return stderr_of([&] { warn_of_weights(PixelRules(settings)); });
+}
+
+// The noise passes both thresholds in small steps: weights cancel where it is small, and vanish where it is large.
+TEST_CASE("weights that cancel, or that make a white world dark, give a warning") {
     RenderSettings settings = small_picture(Method::single, 85);
     settings.covariance = CovarianceFamily::squared_exponential;
-    int close_to_2 = 0, close_to_half = 0;
+    int close_to_gain = 0, close_to_dark = 0;
     for (settings.noise = 30; settings.noise > 1e-5; settings.noise *= 0.85) {
-        CAPTURE(settings.noise);
         const PixelRules rules(settings);
         const QuadratureRule& rule = *rules.shared()[0];
-        const double s = stability_constant(rule), sum = relative_weight_sum(rule);
-        const std::string warning = stderr_of([&] { warn_of_weights(rules); });
-        CHECK(contains(warning, formatted("sizes of a rule's weights sum to %.3g times", s)) == (s > 2));
-        CHECK(contains(warning, formatted("a rule's weights sum to %.3g times", sum)) == (s <= 2 && sum < 0.5));
-        close_to_2 += std::fabs(s - 2) < 0.3;
-        close_to_half += std::fabs(sum - 0.5) < 0.1;
+        const double gain = noise_gain(rule), dark = 1 - white_brightness(rule), most = 2 / std::sqrt(3 * 85.0);
+        const std::string warning = warning_of(settings);
+        CAPTURE(settings.noise);
+        CHECK(contains(warning, formatted("errors of samples count %.2g times", gain)) == (gain > 2));
+        CHECK(contains(warning, formatted("%.0f %% too dark", 100 * dark)) == (gain <= 2 && dark > most));
+        CHECK(warning.empty() == (gain <= 2 && dark <= most));
+        close_to_gain += std::fabs(gain - 2) < 0.3;
+        close_to_dark += std::fabs(dark - most) < 0.05;
     }
-    CHECK(close_to_2 >= 2);
-    CHECK(close_to_half >= 2);
+    CHECK(close_to_gain >= 2);
+    CHECK(close_to_dark >= 2);
+}
+
+TEST_CASE("weights that are too bright give a warning, and the default cures them") {
+    RenderSettings settings = small_picture(Method::pool, 85, 12, Placement::cosine_fibonacci);
+    CHECK(warning_of(settings).empty());
+    settings.smoothness = 1.001;
+    CHECK(warning_of(settings) ==
+          Containing{
+              " % too bright, more than twice Monte Carlo's error; take the default method, covariance and noise"});
+}
+
+// One rule of direct may be far off where twenty are not, and no rule of 85 random directions is like another.
+TEST_CASE("the warning is about all shared rules, or about twenty fresh ones") {
+    RenderSettings settings = small_picture(Method::direct, 30);
+    settings.covariance = CovarianceFamily::squared_exponential;
+    settings.length_scale = 0.5;
+    const PixelRules rules(settings);
+    double squares = 0;
+    for (int x = 0; x < 20; ++x) {
+        Random random = pixel_stream(settings, x, 0);
+        squares += std::pow(noise_gain(*rules.fresh_rule(random)), 2) / 20;
+    }
+    CHECK(warning_of(settings) == Containing{formatted("count %.2g times", std::sqrt(squares))});
+    settings.method = Method::pool;
+    squares = 0;
+    const PixelRules shared(settings);
+    for (const auto& rule : shared.shared()) squares += std::pow(noise_gain(*rule), 2) / 3;
+    CHECK(warning_of(settings) == Containing{formatted("count %.2g times", std::sqrt(squares))});
+}
+
+TEST_CASE("the defaults give no warning at any number of samples and placement") {
+    for (const auto& row : placement_names)
+        for (const std::size_t samples : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 89u, 144u})
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                RenderSettings settings = RenderSettings();
+                settings.placement = row.second;
+                settings.samples = samples;
+                settings.seed = seed;
+                CHECK_MESSAGE(warning_of(settings).empty(), row.first << ' ' << samples << ' ' << seed);
+            }
 }

@@ -22,20 +22,21 @@ TEST_CASE("a request is a picture, its predicted errors, or the samples that an 
         settings.light_known = known == "light";
         settings.known = known == "nothing" ? Known::nothing : Known::cosine;
         const EnvironmentLight light(map, settings.light_known, 1);
+        const Scene scene = sphere_scene();
         const Image image = picture(light, settings),
-                    errors = standard_errors(image, picture(light, with_next_seed(settings)));
-        const std::string told = "%zu samples for a predicted RMSE of %.2g\n";
+                    errors =
+                        predicted_errors(image, render(scene, map, settings, better_shader(scene, light, settings)));
+        const std::string note = "%zu samples for a predicted RMSE of %.2g\n";
         CHECK(asked(map, {"--known=" + known}) == encode(image, Format::pfm));
         CHECK(asked(map, {"--known=" + known, "--show=error"}) ==
-              formatted(told.c_str(), std::size_t{10}, root_mean_square(errors)) + encode(errors, Format::pfm));
-        const ChosenSamples chosen = samples_for(1, 4096, light, settings);
-        settings.samples = chosen.samples;
+              formatted(note.c_str(), std::size_t{10}, root_mean_square(errors)) + encode(errors, Format::pfm));
+        const Prediction chosen = samples_for(1, 4096, light, settings);
+        settings.samples = static_cast<std::size_t>(chosen.samples);
         CHECK(asked(map, {"--known=" + known, "--rmse=1"}) ==
-              formatted(told.c_str(), chosen.samples, chosen.rmse) + encode(picture(light, settings), Format::pfm));
+              formatted(note.c_str(), settings.samples, chosen.rmse) + encode(picture(light, settings), Format::pfm));
     }
     CHECK(asked(map, {"--known=light", "--known=cosine"}) == asked(map, {"--known=cosine"}));  // the last one counts
     CHECK_THROWS_WITH(parse({"--known=all"}, Request().options()), "--known: 'all' is not nothing, cosine or light");
-    CHECK(asked(map, {"--show=error", "--method=single"}) == Containing{"; all pixels share one rule"});
 }
 
 TEST_CASE("what is shown, and what is known, has names") {
@@ -53,11 +54,14 @@ TEST_CASE("errors in a PPM are grey, white at twice their root mean square") {
     for (const Color& pixel : grey.pixels) CHECK(pixel == pixel.x * Color{1, 1, 1});
 }
 
-TEST_CASE("an RMSE under a sun is refused unless the light is known") {
+TEST_CASE("an RMSE that takes too many samples is refused, and the light that is known cures it") {
     const EnvironmentMap map = sunny_map();
-    CHECK(message_of([&] { asked(map, {"--rmse=1"}); }) ==
-          Containing{formatted("the sun, which sends %.3g %% of the light", 100 * Sun(map).share())});
-    CHECK_NOTHROW(asked(map, {"--rmse=1", "--known=light"}));
-    CHECK(asked(map, {"--show=error"}) == Containing{"it may miss the sun"});
-    CHECK(!contains(asked(map, {"--show=error", "--known=light"}), "sun"));
+    CHECK(message_of([&] { asked(map, {"--rmse=0.1", "--method=mc"}); }) == Containing{"take --known light"});
+    CHECK_NOTHROW(asked(map, {"--rmse=0.1", "--method=mc", "--known=light"}));
+}
+
+TEST_CASE("weights give no warning where the light is known") {
+    const EnvironmentMap map = coloured_map(32, 17);
+    CHECK(asked(map, {"--noise=100"}) == Containing{"a white world"});
+    CHECK(!contains(asked(map, {"--noise=100", "--known=light"}), "a white world"));
 }

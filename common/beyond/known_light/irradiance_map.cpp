@@ -10,7 +10,7 @@ constexpr int light_columns = 96, light_rows = 48, columns = 128, rows = 64;
 // The part, of `parts` equal ones, that texel i of n lies in.
 static std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
 
-// The integral of L w dw for each cell and each colour.
+// The integral of L omega d omega for each cell and each colour.
 static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
     std::vector<Vec3> azimuths;

@@ -1,10 +1,11 @@
 // The light as the known part of the integrand. The environment is given, so before it traces a ray, a renderer lacks
-// only the visibility V, 0 or 1. For a Lambertian surface with the normal n
-//     L_o = (albedo / pi) integral over H of V L cos(theta) dw
-//         ~ (albedo / pi) E(n) sum of w_j L_j V_j / sum of w_j L_j,
+// only the visibility v, 0 or 1. For a Lambertian surface with the normal n
+//     L_o = (albedo / pi) integral over H of v L cos(theta) d omega
+//         ~ (albedo / pi) E(n) sum of w_j L_j v_j / sum of w_j L_j,
 // where w_j are the weights of a rule for the known part cos(theta), and L_j is the mean of L over a cap of the solid
 // angle 2 pi / N around sample j (Krivanek & Colbert, "Real-time shading with filtered importance sampling", Computer
-// Graphics Forum 27(4), 2008). For a constant V the quotient is exact.
+// Graphics Forum 27(4), 2008). This is a ratio estimator: the quotient estimates the fraction of the light that
+// arrives, and E(n), the light without shadows, is known. For a constant v it is exact.
 //
 // The sun (sun.h) is a second light, with the same quotient. If it sends the share s of the light, it gets s / 2 of
 // a pixel's samples, since the edge of its shadow needs few. The rule for the sky gets the others.

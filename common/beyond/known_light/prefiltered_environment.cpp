@@ -11,7 +11,7 @@ namespace {
 
 using portable::pi;
 
-constexpr std::size_t lookups = 32;  // that a mean is made of
+constexpr std::size_t lookups = 32;  // per mean
 
 // Directions spread evenly over the inner three quarters of a cap around the up axis. The smaller caps around them
 // reach to the cap's edge.

@@ -38,22 +38,22 @@ Sun::Sun(const EnvironmentMap& map, double threshold) : map_(map), all_(all_ligh
     for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
     constexpr int parts = 256;
     for (int i = 0; i < parts && !empty(); ++i) {
-        const double v = 0.6180339887498949 * i;  // of a lattice, where few texels have all the light
-        rays_.push_back(ray((i + 0.5) / parts, v - std::floor(v)));
+        const double down = 0.6180339887498949 * i;  // of a lattice, where few texels have all the light
+        rays_.push_back(ray((i + 0.5) / parts, down - std::floor(down)));
         rays_.back().colour = light() / parts * rays_.back().colour;
     }
 }
 
-Sun::Ray Sun::ray(double u, double v) const {
-    const double before = u * light();
+Sun::Ray Sun::ray(double across, double down) const {
+    const double before = across * light();
     const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
                                         [](double light, const Texel& each) { return light < each.light; });
     const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
     const TexelsOnSphere texels(map_, 1, 1);
     const double top = texels.polar(texel->row).cosine, bottom = texels.polar(texel->row + 1).cosine;
-    const double cosine = top + v * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
-    const double across = (before - left) / (texel->light - left);
-    return {direction_of({sine, cosine}, texels.azimuth(texel->column + across)), texel->colour};
+    const double cosine = top + down * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double right = (before - left) / (texel->light - left);
+    return {direction_of({sine, cosine}, texels.azimuth(texel->column + right)), texel->colour};
 }
 
 Color Sun::irradiance(Vec3 normal) const {
@@ -77,8 +77,8 @@ RatioEstimator sample_sun(const Scene& scene, const Sun& sun, const Hit& hit, st
     RatioEstimator light;
     for (std::size_t j = 0; j < m; ++j) {
         const double u = (static_cast<double>(j) + random.uniform()) / static_cast<double>(m);
-        const double v = random.uniform();
-        const Sun::Ray ray = sun.ray(u, v);
+        const double down = random.uniform();
+        const Sun::Ray ray = sun.ray(u, down);
         const double cosine = dot(hit.normal, ray.direction);
         if (cosine > 0) light.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
     }

@@ -37,16 +37,16 @@ public:
     // The map without the sun.
     EnvironmentMap sky() const;
 
-    // The colour is the radiance there over its R + G + B.
+    // colour: the radiance there, scaled to R + G + B = 1.
     struct Ray {
         Vec3 direction;
         Color colour;
     };
 
-    // The ray at which the fraction u in [0, 1) of the sun's light has been passed, where texels follow each other in
-    // Morton's order, and each is passed from left to right. v in [0, 1) is how far down in the texel the ray lies,
-    // w.r.t. solid angle. So rays of uniform u and v follow the light.
-    Ray ray(double u, double v) const;
+    // The ray that two numbers in [0, 1) choose, in proportion to the light if they are uniform, by the inverse of its
+    // cumulative distribution: `across` chooses the texel, in Morton's order, and the place from left to right in it;
+    // `down` chooses the height in the texel, w.r.t. solid angle.
+    Ray ray(double across, double down) const;
 
 private:
     struct Texel {
@@ -62,7 +62,7 @@ private:
     std::vector<Ray> rays_;  // with their share of the light
 };
 
-// The sums over m rays to the sun, none if it is empty. Ray j goes to the place after the fraction (j + u_j) / m of its
-// light, v_j down in a texel, by random numbers u_j and then v_j; its weight is cos(theta_j), 0 below the horizon.
+// The sums over m rays to the sun, none if it is empty. Ray j is ray((j + u) / m, down) by random numbers u
+// and then down. Its weight is cos(theta_j), 0 below the horizon.
 RatioEstimator sample_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random);
 }  // namespace bmc::beyond

@@ -1,33 +1,62 @@
 #include "beyond/prediction/prediction.h"
 
-#include "numerics/formatted.h"
-
-#include <algorithm>
+#include "beyond/known_light/texels_on_sphere.h"
 
 namespace bmc::beyond {
-PictureSettings with_next_seed(PictureSettings settings) {
-    ++settings.seed;
-    return settings;
+Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
+    settings.method = Method::mc;
+    settings.placement = Placement::cosine_fibonacci;
+    const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would seldom meet
+    const auto sky = std::make_shared<const EnvironmentMap>(sun->sky());
+    return [=, &scene, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(settings, x, y);
+        const OrientedRule oriented = rules.rule_for(hit.normal, random);
+        const Color of_sky = reflected_radiance(scene, *sky, hit, *oriented.rule, oriented.frame);
+        if (sun->empty()) return of_sky;
+        const Color of_sun = sample_sun(scene, *sun, hit, rays, random).visible;
+        return of_sky + sun->light() / (portable::pi * static_cast<double>(rays)) * (hit.albedo * of_sun);
+    };
 }
 
-Image standard_errors(const Image& a, const Image& b) {
-    const int reach = std::clamp(a.height / 70, 3, 7);
-    Image errors(a.width, a.height);
-    std::vector<std::optional<Object>> objects(a.pixels.size());
-    const auto object = [&](int x, int y) -> auto& { return objects[static_cast<std::size_t>(y * a.width + x)]; };
-    for_each_hit(sphere_scene(), {a.width, a.height}, [&](int x, int y, const Hit& hit) { object(x, y) = hit.object; });
-    for_each_hit(sphere_scene(), {a.width, a.height}, [&](int x, int y, const Hit& hit) {
-        double count = 0;
-        Color squares;
-        for (int j = std::max(0, y - reach); j <= std::min(a.height - 1, y + reach); ++j)
-            for (int i = std::max(0, x - reach); i <= std::min(a.width - 1, x + reach); ++i) {
-                if (object(i, j) != hit.object) continue;
-                const Color difference = a(i, j) - b(i, j);
-                squares += difference * difference;
-                count += 1;
-            }
-        const Color variance = 0.5 / count * squares;
-        errors(x, y) = {std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z)};
+Shader better_shader(const Scene& scene, const EnvironmentLight& light, PictureSettings settings) {
+    const std::size_t samples = settings.samples;
+    settings.method = Method::mc;
+    settings.placement = Placement::cosine_fibonacci;
+    settings.samples = 4 * samples;
+    ++settings.seed;
+    if (settings.light_known) return shader_of(scene, light, settings, rules_of(light, settings));
+    return shader_with_sun(scene, light.environment, settings, samples);
+}
+
+using Objects = std::vector<std::optional<Object>>;  // that the pixels show
+
+// The mean over the pixels of a window around column x of row y that show the same object.
+static Color mean_in_window(const Image& image, const Objects& objects, int x, int y) {
+    const int reach = std::clamp(image.height / 70, 3, 7);
+    const auto object = [&](int i, int j) { return objects[static_cast<std::size_t>(j * image.width + i)]; };
+    double count = 0;
+    Color sum;
+    for (int j = std::max(0, y - reach); j <= std::min(image.height - 1, y + reach); ++j)
+        for (int i = std::max(0, x - reach); i <= std::min(image.width - 1, x + reach); ++i) {
+            if (object(i, j) != object(x, y)) continue;
+            sum += image(i, j);
+            count += 1;
+        }
+    return 1 / count * sum;
+}
+
+Image predicted_errors(const Image& picture, const Image& better) {
+    Image squares(picture.width, picture.height), errors = squares;
+    Objects objects(picture.pixels.size());
+    const Camera camera{picture.width, picture.height};
+    for_each_hit(sphere_scene(), camera, [&](int x, int y, const Hit& hit) {
+        const Color difference = picture(x, y) - better(x, y);
+        squares(x, y) = difference * difference;
+        objects[static_cast<std::size_t>(y * picture.width + x)] = hit.object;
+    });
+    for_each_hit(sphere_scene(), camera, [&](int x, int y, const Hit&) {
+        const Color mean = mean_in_window(squares, objects, x, y);
+        errors(x, y) = {std::sqrt(mean.x), std::sqrt(mean.y), std::sqrt(mean.z)};
     });
     return errors;
 }
@@ -41,51 +70,85 @@ double root_mean_square(const Image& errors) {
     return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-double pilot_rmse(const EnvironmentLight& light, PictureSettings settings) {
-    const Scene scene = sphere_scene();
-    const Camera camera{settings.width, settings.height};
-    const int across = std::max(1, settings.width / 64), down = std::max(1, settings.height / 64);
-    double squares = 0, count = 0;
-    for (int pair = 0; pair < 16 && count < 1000; ++pair) {
-        const PictureSettings next = with_next_seed(settings);
-        const Shader a = shader_of(scene, light, settings, rules_of(light, settings));
-        const Shader b = shader_of(scene, light, next, rules_of(light, next));
+namespace {
+
+struct PilotPixel {
+    int x, y;
+    Hit hit;
+};
+
+struct Pilot {
+    int across, down;  // from pixel to pixel
+    std::vector<PilotPixel> pixels;
+
+    explicit Pilot(const RenderSettings& settings)
+        : across(std::max(1, settings.width / 64)), down(std::max(1, settings.height / 64)) {
+        const Camera camera{settings.width, settings.height};
         for (int y = down / 2; y < settings.height; y += down)
             for (int x = across / 2; x < settings.width; x += across)
-                if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) {
-                    const Color difference = a(*hit, x, y) - b(*hit, x, y);
-                    squares += dot(difference, difference);
-                    count += 6;
-                }
-        settings.seed += 2;
+                if (const auto hit = intersect(sphere_scene(), camera.ray(x, y))) pixels.push_back({x, y, *hit});
     }
-    return count > 0 ? std::sqrt(squares / count) : 0;
+};
+
+// Of the first pilot.
+double samples_that_meet_all(const EnvironmentLight& light, const PictureSettings& settings) {
+    if (settings.light_known) return 2;
+    const Pilot pilot(settings);
+    const double others = 1 - 1.0 / (pilot.across * pilot.down), pixels = static_cast<double>(pilot.pixels.size());
+    return std::max(2.0, std::ceil(16 * others * kurtosis(light.environment) / std::max(1.0, pixels)));
 }
 
-ChosenSamples samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings) {
-    settings.pool = settings.method == Method::pool ? std::min<std::size_t>(settings.pool, 4) : 4;
-    if (settings.method != Method::mc) settings.method = Method::pool;
-    const auto predict = [&](std::size_t samples) {
-        settings.samples = samples;
-        return ChosenSamples{samples, pilot_rmse(light, settings)};
+}  // namespace
+
+double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings) {
+    const Scene scene = sphere_scene();
+    const Shader picture = shader_of(scene, light, settings, rules_of(light, settings));
+    const Shader better = better_shader(scene, light, settings);
+    const Pilot pilot(settings);
+    double squares = 0;
+    for (const auto& [x, y, hit] : pilot.pixels) squares += squared_distance(picture(hit, x, y), better(hit, x, y));
+    return pilot.pixels.empty() ? 0 : std::sqrt(squares / (3 * static_cast<double>(pilot.pixels.size())));
+}
+
+double kurtosis(const EnvironmentMap& map) {
+    const TexelsOnSphere texels(map, 1, 1);
+    const auto mean_of = [&](auto f) {
+        double mean = 0;
+        for (int row = 0; row < texels.rows(); ++row)
+            for (int column = 0; column < texels.columns(); ++column)
+                mean += texels.solid_angle(row) / (4 * portable::pi) * f(dot(texels(row, column), {1, 1, 1}));
+        return mean;
     };
-    ChosenSamples last = predict(2);
-    if (last.rmse <= target) return last;
-    ChosenSamples next = predict(4);
-    while (next.rmse > target && next.samples < most) {
+    const double centre = mean_of([](double light) { return light; });
+    const double variance = mean_of([&](double light) { return (light - centre) * (light - centre); });
+    const double fourth = mean_of([&](double light) {
+        const double square = (light - centre) * (light - centre);
+        return square * square;
+    });
+    return variance > 0 ? fourth / (variance * variance) : 1;
+}
+
+Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings) {
+    if (settings.method == Method::direct) settings.method = Method::pool;
+    const auto predict = [&](double samples) {
+        settings.samples = static_cast<std::size_t>(samples);
+        return Prediction{samples, pilot_rmse(light, settings)};
+    };
+    const double fewest = samples_that_meet_all(light, settings), limit = static_cast<double>(most);
+    if (fewest > limit) return {fewest, target};
+    Prediction last = predict(fewest), next = last;
+    // Errors at the edges of shadows fall like the power -3/4 of the samples; twice that excludes what no rule reaches.
+    const auto in_reach = [&] { return next.rmse * portable::pow(next.samples / limit, 1.5) <= target; };
+    while (next.rmse > target && next.samples < limit && in_reach()) {
         last = next;
-        next = predict(std::min(2 * next.samples, most));
+        next = predict(std::min(2 * next.samples, limit));
     }
-    const double first = static_cast<double>(last.samples);
-    const double slope =
-        portable::log(next.rmse / last.rmse) / portable::log(static_cast<double>(next.samples) / first);
-    const double wanted = first * portable::pow(target / last.rmse, 1 / slope);
-    if (next.rmse > target)
-        throw std::runtime_error(
-            formatted("an RMSE of %g is out of reach: %zu samples, the most tried, have one of "
-                      "%.2g, and about %.2g samples would be needed",
-                      target, most, next.rmse, wanted));
-    const std::size_t chosen = std::clamp(static_cast<std::size_t>(std::ceil(wanted)), last.samples + 1, next.samples);
-    return {chosen, last.rmse * portable::pow(static_cast<double>(chosen) / first, slope)};
+    const auto wanted = [&] {  // by a power of at most Monte Carlo's
+        const double power = portable::log(next.rmse / last.rmse) / portable::log(next.samples / last.samples);
+        return next.samples * portable::pow(target / next.rmse, 1 / std::min(-0.5, power));
+    };
+    if (next.rmse > target) return {wanted(), target};
+    while (last.rmse > target) last = predict(std::clamp(std::ceil(wanted()), last.samples + 1, next.samples));
+    return last;
 }
 }  // namespace bmc::beyond

@@ -1,38 +1,52 @@
-// The error of a picture, without the truth. Two pictures A and B by other random numbers are two draws of one
-// estimate, whatever its method. If it has the variance v, then A - B has 2 v. So
-//     v ~ mean of (A - B)^2 / 2
-// over pixels that have about one v: those of a window, or of the whole picture (Rousselle, Knaus & Zwicker, "Adaptive
-// rendering with non-local means filtering", ACM Transactions on Graphics 31(6), 2012). An error that both pictures
-// have does not show.
+// The error of a picture, without the truth: its distance from a better picture, which has four times the samples with
+// equal weights on the cosine lattice, and rays of its own to the sun. If both errors are independent, and e and e' are
+// their root mean squares, the mean of (A - B)^2 is
+//     e^2 + e'^2,  with e' <= e / 2 if the error falls at least as fast as that of Monte Carlo.
+// So a predicted error is up to 12 % too large. Nothing of the picture goes into the better one: no covariance, no
+// noise, no shared rule, no random number. So a bias shows, and so does a sun that no sample meets. If the light is
+// known, the better picture knows it, too.
 #pragma once
 
 #include "beyond/known_light/picture.h"
 
 namespace bmc::beyond {
-// The settings of the second picture of a pair: they have the next seed.
-PictureSettings with_next_seed(PictureSettings settings);
+// The shader by the samples of these settings, with equal weights on the cosine lattice, and by this number of rays to
+// the texels of more than four times the mean (sun.h). Nothing is from a table of the light. Scene and map must outlive
+// it.
+Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays);
 
-// The standard error of each colour of each pixel, of either picture, over a window around it, as far as that shows the
+// The shader of the better picture. Scene and light must outlive it.
+Shader better_shader(const Scene& scene, const EnvironmentLight& light, PictureSettings settings);
+
+// The root mean square of picture - better around each pixel, colour by colour, over a window as far as that shows the
 // same object; 0 where no object is. Windows grow with the picture, from 7 x 7 pixels to 15 x 15 from 490 rows on, so
 // that large pictures of errors are smooth.
-Image standard_errors(const Image& a, const Image& b);
+Image predicted_errors(const Image& picture, const Image& better);
 
 // The root mean square over all colours of the pixels that show an object; 0 where none does.
 double root_mean_square(const Image& errors);
 
-// The predicted RMSE of a picture before it is rendered, by a pilot: at every k-th pixel of every k-th row, k a 64th of
-// the width and of the height (at least 1). Where few of these pixels show an object, more pairs of pictures follow, up
-// to sixteen. 0 if none does.
-double pilot_rmse(const EnvironmentLight& light, PictureSettings settings);
+// The predicted RMSE of a picture before it is rendered, by a pilot: every k-th pixel of every k-th row of this
+// picture, k a 64th of the width and of the height (at least 1). 0 if none of them shows an object.
+double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings);
 
-struct ChosenSamples {
-    std::size_t samples;
-    double rmse;  // predicted
+// The mean of (L - mean of L)^4 over all directions, over the squared mean of (L - mean of L)^2, where L is R + G + B;
+// 1 if L is constant.
+double kurtosis(const EnvironmentMap& map);
+
+struct Prediction {
+    double samples;
+    double rmse;
 };
 
-// The fewest samples, at least 2, whose predicted RMSE is at most the target. Pilots try 2, 4, 8, ...; between the last
-// two the RMSE is interpolated as a power of the samples. A pilot makes four processes in place of a pool, or of one
-// for each pixel: that does not change the expected error. Throws std::runtime_error if `most` samples, at least 4, do
-// not suffice; it names their RMSE, and how many samples the power points to. Throws what the Gaussian processes throw.
-ChosenSamples samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings);
+// The fewest samples whose predicted RMSE is at most the target. Pilots double the samples, and then follow the power
+// between the last two. If `most` samples do not suffice, it is about the number that would, with the target.
+//
+// The first pilot has at least 2 samples, and enough to meet all of a light that is not known. The variance of n
+// numbers of kurtosis K has a relative standard error of about sqrt(K / n), and its root has half of that. A pilot
+// traces n = pixels x samples rays, and n >= 16 K makes that an eighth. The pixels that the pilot shares with the
+// picture do not err: K counts for the fraction of the others only.
+//
+// Throws what the Gaussian processes throw. The pilots of Method::direct have the rules of a pool, to save time.
+Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings);
 }  // namespace bmc::beyond
