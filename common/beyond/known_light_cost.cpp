@@ -39,8 +39,7 @@ static std::vector<std::string> all_prediction_cells(const std::vector<ComparedP
     for (const ComparedPicture& each : compared)
         for (const std::size_t n : {10u, 40u}) {
             const bool light_known = each.known == std::string("light");
-            cells.push_back(
-                prediction_cells(each, {row_settings(costs, each.settings, n), light_known}, light, truth));
+            cells.push_back(prediction_cells(each, {row_settings(costs, each.settings, n), light_known}, light, truth));
             progress.done();
         }
     return cells;

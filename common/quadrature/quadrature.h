@@ -31,10 +31,11 @@ double relative_weight_sum(const QuadratureRule& rule);
 // Statistics and Computing 2019).
 double stability_constant(const QuadratureRule& rule);
 
-// A picture takes the integral of L cos(theta), with the weights W_j = weights[j] cos(theta_j) if p = 1. Two worlds show
-// what they do. A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte Carlo is
-// 1 / sqrt(3 N) there. In a world of noise the samples are independent, and the variance of the estimate is theirs times
-// the sum of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of both sums.
+// A picture takes the integral of L cos(theta), with the weights W_j = weights[j] cos(theta_j) if p = 1. Two worlds
+// show what they do. A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte
+// Carlo is 1 / sqrt(3 N) there. In a world of noise the samples are independent, and the variance of the estimate is
+// theirs times the sum of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of
+// both sums.
 double white_brightness(const QuadratureRule& rule);
 double noise_gain(const QuadratureRule& rule);
 
