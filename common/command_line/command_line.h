@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace bmc {
-// PartialOutput output. It is printed all the same; the exit status is 1.
+// Output that lacks a part. It is printed all the same; the exit status is 1.
 struct PartialOutput : std::runtime_error {
     std::string output;
     PartialOutput(std::string printed, const std::string& missing)
