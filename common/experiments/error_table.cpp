@@ -69,7 +69,7 @@ static std::vector<Integrand> integrands_named(const std::string& name) {
 // How long the estimates with so many samples take, in any unit.
 static double work(std::size_t samples) { return static_cast<double>(samples * samples); }
 
-// The same integrands; a part is done with so many values of the first one.
+// The same integrands; the first one reports to progress after each so many values, that is, after each estimate.
 static std::vector<Integrand> counted(std::vector<Integrand> integrands, std::size_t values, Progress& progress) {
     integrands[0].value = [&progress, values, value = integrands[0].value, calls = std::size_t{0}](Vec3 omega) mutable {
         if (++calls % values == 0) progress.done();

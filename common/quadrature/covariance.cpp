@@ -12,7 +12,7 @@ using portable::pi;
 //     b = (1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E) = (1 + sigma) (q^4 + t^2) / (q^2 + t^2)
 // common/README.md derives it, with a figure: great arcs from omega to the horizon cut H into narrow sectors of caps
 // around omega. E is the eccentric anomaly on an ellipse of eccentricity sigma whose true anomaly is the arc's azimuth.
-// A length-scale below 1/2 needs a smaller step than 1/4.
+// The step is in ln t; a length-scale below 1/2 needs a smaller one.
 double Covariance::z(double cos_theta) const {
     const PolarAngle theta(cos_theta);
     const double q2 = theta.q * theta.q;

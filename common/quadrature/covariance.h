@@ -2,8 +2,8 @@
 // directions only by their squared chord r^2 = |omega - omega'|^2 = 2 - 2 omega.omega', so rotating all directions
 // about the up axis changes neither Q nor z. Bayesian quadrature needs two of its integrals (O'Hagan, "Bayes-Hermite
 // quadrature", J. Stat. Plan. Inf. 1991):
-//     z(omega) = integral over H of k(omega, omega') p(omega') d omega',  zz = integral over H of z(omega) p(omega) d
-//     omega,
+//     z(omega) = integral over H of k(omega, omega') p(omega') d omega',
+//     zz = integral over H of z(omega) p(omega) d omega,
 // where f p is the integrand: p is its known part, and the Gaussian process models f alone.
 #pragma once
 
@@ -37,7 +37,7 @@ public:
 };
 
 // The covariance of the practice, Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3.
-// Its functions are continuous with kinks, as radiance is between the edges of objects.
+// Its functions are continuous but rough, so that edges in the light do not surprise it.
 class Sobolev : public Covariance {
 public:
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
