@@ -37,6 +37,10 @@ $(BUILD)/unit_tests: $(TESTS) $(COMPARE) $(COMMON)
 
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o
 $(BUILD)/judge: $(BUILD)/tests/course/judge.o
+$(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o $(COMMON)
+$(BUILD)/verdict: $(BUILD)/tests/course/verdict.o
+$(BUILD)/check_tasks $(BUILD)/verdict:
+	$(call say,LINK $@) $(LINK) -o $@
 $(BUILD)/compare $(BUILD)/judge: $(COMPARE) $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
@@ -51,12 +55,12 @@ judge: $(BUILD)/judge
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite
 
-handout: all $(BUILD)/compare
+handout: all $(BUILD)/check_tasks
 	BUILD=$(BUILD) BIN=$(BIN) tests/course/handout
 
 SUBMISSION ?= .
-grade: all $(BUILD)/compare
-	BUILD=$(BUILD) CXX=$(CXX) tests/course/grade "$(SUBMISSION)"
+grade:
+	BUILD=$(BUILD) CXX="$(CXX)" tests/course/grade "$(SUBMISSION)"
 
 mutations: all $(BUILD)/unit_tests $(BUILD)/compare
 	BUILD=$(BUILD) tests/slow/mutations

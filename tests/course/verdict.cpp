@@ -1,0 +1,84 @@
+// verdict EXPECTED ACTUAL: compares the lines that check_tasks prints with those of the solution, and says which number
+// is the first that differs. Exit status: 0 none, 1 one, 2 ACTUAL has no number where it should have one, 3 a file
+// cannot be read. Of ACTUAL only names and numbers are read.
+#include "numerics/formatted.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+using bmc::formatted;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, '\t');) cells.push_back(cell);
+    return cells;
+}
+
+bool same(double a, double b) { return std::fabs(a - b) <= 1e-6 * std::fabs(b); }
+
+// A plain relation between two numbers, if there is one.
+std::string relation(double here, double right, double n) {
+    if (!std::isfinite(here) || right == 0 || here == 0) return "";
+    const std::pair<const char*, double> factors[] = {{"the other sign", -1},
+                                                      {"half of it", 0.5},
+                                                      {"twice it", 2},
+                                                      {"pi times it", pi},
+                                                      {"it over pi", 1 / pi},
+                                                      {"2 pi times it", 2 * pi},
+                                                      {"it over 2 pi", 0.5 / pi},
+                                                      {"n times it", n},
+                                                      {"it over n", 1 / n},
+                                                      {"n / (n - 1) times it", n / (n - 1)}};
+    for (const auto& [words, factor] : factors)
+        if (std::isfinite(factor) && same(here, factor * right)) return std::string(" (") + words + ")";
+    if (same(here, right * right)) return " (its square)";
+    return same(here, std::sqrt(std::fabs(right))) ? " (its root)" : "";
+}
+
+// The line has a name, what is right, the difference allowed, n, and numbers of mistakes, each with its words.
+std::string difference(const std::vector<std::string>& line, double here) {
+    const auto number = [&](std::size_t i) { return std::strtod(line[i].c_str(), nullptr); };
+    const double right = number(1);
+    if (std::fabs(here - right) <= number(2)) return "";
+    std::string why = relation(here, right, number(3));
+    for (std::size_t i = 5; i < line.size(); i += 2)
+        if (same(here, number(i - 1))) why = ": " + line[i];
+    return line[0] + formatted(" is %.9g, right is %.9g", here, right) + why;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::ifstream expected(argc == 3 ? argv[1] : ""), actual(argc == 3 ? argv[2] : "");
+    std::map<std::string, std::string> numbers;
+    for (std::string line; std::getline(actual, line);) {
+        const std::vector<std::string> cells = cells_of(line);
+        if (cells.size() > 1) numbers.emplace(cells[0], cells[1]);
+    }
+    std::size_t lines = 0;
+    for (std::string line; std::getline(expected, line); ++lines) {
+        const std::vector<std::string> cells = cells_of(line);
+        const auto found = numbers.find(cells.at(0));
+        char* end = nullptr;
+        const double here = found == numbers.end() ? NAN : std::strtod(found->second.c_str(), &end);
+        if (!end || end == found->second.c_str() || *end != '\0') {
+            std::cout << cells[0] << '\n';
+            return 2;
+        }
+        const std::string words = difference(cells, here);
+        if (words.empty()) continue;
+        std::cout << words << '\n';
+        return 1;
+    }
+    return lines > 0 ? 0 : 3;
+}
