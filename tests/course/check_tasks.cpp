@@ -23,17 +23,18 @@ std::FILE* values;   // where the lines go; standard output is for what a task s
 std::string in;      // the input that is tried
 double samples = 1;  // how many it has
 
+template <class Number>
 struct Mistake {
-    double gives;
+    Number gives;
     const char* words;
 };
-using Mistakes = std::vector<Mistake>;
+using Mistakes = std::vector<Mistake<double>>;
 
 // Numbers of one array are about as large as its scale, by which rounding errors are measured.
 void value(const std::string& what, double number, double tolerance, double scale = 0, const Mistakes& mistakes = {}) {
     const double allowed = tolerance * std::max(std::fabs(number), scale) + 1e-12;
     std::fprintf(values, "%s%s\t%.12g\t%.3g\t%.12g", in.c_str(), what.c_str(), number, allowed, samples);
-    for (const Mistake& each : mistakes) std::fprintf(values, "\t%.12g\t%s", each.gives, each.words);
+    for (const Mistake<double>& each : mistakes) std::fprintf(values, "\t%.12g\t%s", each.gives, each.words);
     std::fputc('\n', values);
     std::fflush(values);
 }
@@ -56,15 +57,11 @@ void throws(const std::string& what, const char* hint, Function f) {
 
 std::string text(Vec3 v) { return formatted("(%.4g, %.4g, %.4g)", v.x, v.y, v.z); }
 
-struct VectorMistake {
-    Vec3 gives;
-    const char* words;
-};
-void vector(const std::string& what, Vec3 v, const std::vector<VectorMistake>& mistakes = {}) {
+void vector(const std::string& what, Vec3 v, const std::vector<Mistake<Vec3>>& mistakes = {}) {
     const std::pair<const char*, double Vec3::*> parts[] = {{", x", &Vec3::x}, {", y", &Vec3::y}, {", z", &Vec3::z}};
     for (const auto& [name, part] : parts) {
         Mistakes of_part;
-        for (const VectorMistake& each : mistakes) of_part.push_back({each.gives.*part, each.words});
+        for (const Mistake<Vec3>& each : mistakes) of_part.push_back({each.gives.*part, each.words});
         value(what + name, v.*part, 1e-9, 1, of_part);
     }
 }
@@ -212,13 +209,14 @@ void z_of_values() {
             const double cosine = std::min(1.0, w[i].y), angle = std::acos(cosine);
             value(formatted("z of direction %zu, ", i) + text(w[i]), z[i], 1e-9, 0,
                   {{angle <= 1 ? model.covariance.z(angle) : NAN, "that is z(angle), and z takes the cosine, y"},
-                   {w[i].z >= 0 ? model.covariance.z(std::min(1.0, w[i].z)) : NAN, "that is z of z, not of y"},
+                   {model.covariance.z(std::min(1.0, std::fabs(w[i].z))), "that is z of z, not of y"},
                    {model.covariance.k(cosine), "that is k(y), not z(y)"}});
         }
     });
     in = "";
-    throws<std::invalid_argument>("a direction below the horizon", "Covariance::z throws for its y",
-                                  [] { z_of(sobolev, {{0.6, -0.8, 0}}); });
+    throws<std::invalid_argument>("a direction below the horizon", "Covariance::z throws for its y", [] {
+        z_of(sobolev, {{0.6, -0.8, 0}});
+    });
 }
 
 // ---- integral
@@ -241,26 +239,32 @@ struct TooSmall : Sobolev {
 };
 
 void posterior_variance_values() {
-    for_each_process([](const GaussianProcess& process, double tolerance) { value("the variance", process.variance(), tolerance, 1); });
+    for_each_model([](const Model& model, const Directions& directions) {
+        const GaussianProcess process(model.covariance, model.noise, directions);
+        value("the variance", process.variance(), tolerance_of(model), 1,
+              {{2 * model.covariance.zz() - process.variance(), "z^T w is added, and it should be subtracted"}});
+    });
     const TooSmall covariance;
     const GaussianProcess process(covariance, 0.1, directions_of(41));
     double difference = covariance.zz();
     for (std::size_t i = 0; i < process.z().size(); ++i) difference -= process.weights()[i] * process.z()[i];
     in = "a zz that is too small, as by rounding: ";
     value("the variance", process.variance(), 0, 0,
-          {{difference, "a negative variance should be 0"}, {-difference, "where the difference is negative, 0 is right"}});
+          {{difference, "a negative variance should be 0"},
+           {-difference, "where the difference is negative, 0 is right"}});
 }
 
 void integral_values() {
     for_each_process([](const GaussianProcess& process, double tolerance) {
         Random random(seed, 7);
         Numbers y;
-        double sum = 0;
-        for (std::size_t i = 0; i < process.z().size(); ++i) {
+        double sum = 0, by_z = 0;
+        for (const double z : process.z()) {
             y.push_back(3 * random.uniform() - 1);
-            sum += y.back();
+            sum += y.back(), by_z += z * y.back();
         }
-        value("the estimate", process.integral(y), tolerance, 2 * pi, {{2 * pi * sum / samples, "that is Monte Carlo's"}});
+        value("the estimate", process.integral(y), tolerance, 2 * pi,
+              {{2 * pi * sum / samples, "that is Monte Carlo's"}, {by_z, "that is the sum of z_i Y_i"}});
     });
 }
 
@@ -303,16 +307,16 @@ void errors(const char* what, const Statistics& of, double factor = 1, const cha
     value("the standard error of the " + name, of.standard_error(), 1e-6, 1);
 }
 
-// Calls f(row) for each row of the table and each integrand.
+// Calls f(row) for each row of the table and each integrand, of so many estimates.
 template <class Function>
-void for_each_row(Function f) {
+void for_each_row(std::size_t mc_estimates, std::size_t bmc_estimates, Function f) {
     const std::vector<Integrand> integrands = {{"", "cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
                                                {"", "1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
     for (const Row& row : rows) {
         ErrorSettings settings;
         settings.seed = seed, settings.noise = row.noise, settings.covariance = row.covariance;
         settings.placement = row.placement, settings.known = row.known;
-        settings.mc_estimates = 7, settings.bmc_estimates = 5;
+        settings.mc_estimates = mc_estimates, settings.bmc_estimates = bmc_estimates;
         const std::vector<ErrorRow> of = error_rows(integrands, row.samples, settings);
         for (std::size_t i = 0; i < of.size(); ++i) {
             in = "of " + integrands[i].formula + formatted(" with n = %zu%s: ", row.samples, row.words);
@@ -322,17 +326,17 @@ void for_each_row(Function f) {
 }
 
 void add_mc_errors_values() {
-    for_each_row([](const ErrorRow& row) { errors("mc", row.mc); });
+    for_each_row(7, 0, [](const ErrorRow& row) { errors("mc", row.mc); });
 }
 
 void add_bmc_errors_values() {
-    for_each_row([](const ErrorRow& row) {
+    for_each_row(0, 5, [](const ErrorRow& row) {
         errors("bmc", row.bmc);
         errors("predicted", row.predicted, std::sqrt(pi / 2), "that is the standard error: sqrt(2 / pi) is missing");
     });
     ErrorSettings singular;
     singular.covariance = CovarianceFamily::squared_exponential, singular.noise = 0;
-    singular.mc_estimates = singular.bmc_estimates = 1;
+    singular.mc_estimates = 0, singular.bmc_estimates = 1;
     in = "n = 200, noise 0: ";
     const ErrorRow row = error_rows({{"", "1", [](Vec3) { return 1.0; }, 2 * pi}}, 200, singular)[0];
     value("the number of refusals", row.refusal.empty() ? 0 : 1, 0, 0,
@@ -382,16 +386,27 @@ void reflected_radiance_values() {
         QuadratureRule rule{directions_of(x % 2 == 0 ? 9 : 41), {}, Known::cosine};
         samples = static_cast<double>(rule.directions.size());
         for (const Vec3& w : rule.directions) rule.weights.push_back((1 + w.x) * random.uniform() - 0.2);
+        QuadratureRule twice = rule;
+        for (std::size_t i = 0; i < rule.size(); ++i) twice.weights[i] *= rule.directions[i].y;
+        Frame local({0, 1, 0});
+        local.tangent = {1, 0, 0}, local.bitangent = {0, 0, 1};
         const Color came = reflected_radiance(scene, map, hit, rule, frame),
-                    open = reflected_radiance(no_shadow, map, hit, rule, frame);
+                    open = reflected_radiance(no_shadow, map, hit, rule, frame),
+                    still = reflected_radiance(scene, map, hit, rule, local),
+                    dark = reflected_radiance(scene, map, hit, twice, frame);
         in = formatted("in column %d of row %d of 24, at the ", x, y) +
              (hit.object == Object::sphere ? "sphere" : "rectangle") + ", normal " + text(hit.normal) + ": ";
-        const auto channel = [&](const char* name, double c, double o) {
-            value(name, c, 1e-9, 1, {{o, "there is light from directions in the shadow"}, {pi * c, "1 / pi is missing"}});
+        const auto channel = [&](const char* name, double Color::*part) {
+            value(name, came.*part, 1e-9, 1,
+                  {{open.*part, "there is light from directions in the shadow"},
+                   {still.*part, "the frame should carry the directions to the world"},
+                   {dark.*part, "cos(theta) is in the weights already"},
+                   {came.*part / hit.albedo.*part, "the albedo is missing"},
+                   {pi * came.*part, "1 / pi is missing"}});
         };
-        channel("red", came.x, open.x);
-        channel("green", came.y, open.y);
-        channel("blue", came.z, open.z);
+        channel("red", &Color::x);
+        channel("green", &Color::y);
+        channel("blue", &Color::z);
     });
 }
 

@@ -141,8 +141,12 @@ std::string number_differences(const std::vector<Number>& numbers, const std::ve
         const double spread = statistics.standard_error() * std::sqrt(statistics.count + 1);
         const double deviations = (numbers[i].value - statistics.mean) / std::max(spread, numbers[i].least);
         if (std::fabs(deviations) <= most) continue;
-        text += formatted("%-34s %+9.3f %+10.3f %+12.1f\n", numbers[i].name.c_str(), numbers[i].value, statistics.mean,
+        text += formatted("%-34s %+9.3f %+10.3f %+12.1f", numbers[i].name.c_str(), numbers[i].value, statistics.mean,
                           deviations);
+        if (numbers[i].name.find("log") != std::string::npos)
+            text += formatted("   (errors are %.2f of what they should be)",
+                              portable::exp(numbers[i].value - statistics.mean));
+        text += '\n';
     }
     return text;
 }
