@@ -133,13 +133,6 @@ void for_each_model(Function f) {
     }
 }
 
-template <class Function>
-void for_each_process(Function f) {
-    for_each_model([&](const Model& model, const Directions& directions) {
-        f(GaussianProcess(model.covariance, model.noise, directions), tolerance_of(model));
-    });
-}
-
 // ---- inverse
 
 void covariance_matrix_values() {
@@ -222,14 +215,15 @@ void z_of_values() {
 // ---- integral
 
 void bayesian_weights_values() {
-    for_each_process([](const GaussianProcess& process, double tolerance) {
+    for_each_model([](const Model& model, const Directions& directions) {
+        const GaussianProcess process(model.covariance, model.noise, directions);
         const Numbers &z = process.z(), half = process.cholesky().forward_substitution(z);
         std::vector<Mistakes> mistakes(process.weights().size());
         for (std::size_t i = 0; i < mistakes.size() && i < z.size() && z.size() > 1; ++i)
             mistakes[i] = {{half[i], "that is half a solution: of L y = z and U w = y only y"},
                            {z[i], "that is z: Q^-1 is missing"}};
         count("weights", process.weights().size());
-        numbers("weight", process.weights(), tolerance, mistakes);
+        numbers("weight", process.weights(), tolerance_of(model), mistakes);
     });
 }
 
@@ -255,7 +249,8 @@ void posterior_variance_values() {
 }
 
 void integral_values() {
-    for_each_process([](const GaussianProcess& process, double tolerance) {
+    for_each_model([](const Model& model, const Directions& directions) {
+        const GaussianProcess process(model.covariance, model.noise, directions);
         Random random(seed, 7);
         Numbers y;
         double sum = 0, by_z = 0;
@@ -263,25 +258,41 @@ void integral_values() {
             y.push_back(3 * random.uniform() - 1);
             sum += y.back(), by_z += z * y.back();
         }
-        value("the estimate", process.integral(y), tolerance, 2 * pi,
+        value("the estimate", process.integral(y), tolerance_of(model), 2 * pi,
               {{2 * pi * sum / samples, "that is Monte Carlo's"}, {by_z, "that is the sum of z_i Y_i"}});
     });
 }
 
 // ---- montecarlo
 
+// The frame that leaves directions as they are.
+const Frame upright = [] {
+    Frame frame({0, 1, 0});
+    frame.tangent = {1, 0, 0}, frame.bitangent = {0, 0, 1};
+    return frame;
+}();
+
+// The weights, and where the frame carries the directions.
+void rule_values(const QuadratureRule& rule, const Frame& frame, double tolerance, bool with_cosine = true) {
+    std::vector<Mistakes> mistakes(rule.size());
+    for (std::size_t i = 0; with_cosine && i < rule.size() && i < rule.directions.size(); ++i)
+        mistakes[i] = {{rule.weights[i] / rule.directions[i].y, "cos(theta) is missing"},
+                       {rule.weights[i] * rule.directions[i].y, "cos(theta) is there twice"}};
+    count("directions", rule.directions.size());
+    count("weights", rule.weights.size());
+    numbers("weight", rule.weights, tolerance, mistakes);
+    for (std::size_t i = 0; i < rule.directions.size(); ++i)
+        vector(formatted(&frame == &upright ? "direction %zu" : "in the world, direction %zu", i),
+               frame.to_world(rule.directions[i]));
+    value("whether the known part is cosine (1) or nothing (0)", rule.known == Known::cosine, 0);
+}
+
 void monte_carlo_rule_values() {
     for (const Density density : {Density::uniform, Density::cosine})
         for (const std::size_t n : {3u, 1u, 41u}) {
             in = formatted(density == Density::uniform ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
             samples = static_cast<double>(n);
-            const QuadratureRule rule = monte_carlo_rule({directions_of(n), density});
-            count("directions", rule.directions.size());
-            count("weights", rule.weights.size());
-            numbers("weight", rule.weights, 1e-9);
-            for (std::size_t i = 0; i < rule.directions.size(); ++i)
-                vector(formatted("direction %zu", i), rule.directions[i]);
-            value("whether the known part is cosine (1) or nothing (0)", rule.known == Known::cosine, 0);
+            rule_values(monte_carlo_rule({directions_of(n), density}), upright, 1e-9, false);
         }
 }
 
@@ -349,33 +360,19 @@ void cosine_rule_values() {
     for (const std::size_t n : {3u, 1u, 41u}) {
         in = formatted("n = %zu: ", n), samples = static_cast<double>(n);
         const QuadratureRule rule{directions_of(n), Numbers(n, 0.1 + 1 / samples), Known::nothing};
-        const QuadratureRule came = cosine_rule(rule);
-        std::vector<Mistakes> mistakes;
-        for (std::size_t i = 0; i < came.size() && i < n; ++i)
-            mistakes.push_back({{rule.weights[i], "cos(theta) is missing"},
-                                {came.weights[i] * rule.directions[i].y, "cos(theta) is there twice"}});
-        count("weights", came.weights.size());
-        numbers("weight", came.weights, 1e-9, mistakes);
-        for (std::size_t i = 0; i < came.directions.size(); ++i)
-            vector(formatted("direction %zu", i), came.directions[i]);
-        value("whether the known part is cosine (1) or nothing (0)", came.known == Known::cosine, 0);
+        rule_values(cosine_rule(rule), upright, 1e-9);
         in += "of a rule whose known part is cosine, ";
         numbers("weight", cosine_rule({rule.directions, rule.weights, Known::cosine}).weights, 1e-9);
     }
 }
 
-EnvironmentMap random_map(Random& random) {
+void reflected_radiance_values() {
+    Random random(seed, 6);
     EnvironmentMap map(16, 8);
     for (int texel = 0; texel < 16 * 8; ++texel) {
         const double red = random.uniform(), green = random.uniform();
         map.set(texel % 16, texel / 16, {0.1 + red, 0.1 + green, 0.1 + red * green});
     }
-    return map;
-}
-
-void reflected_radiance_values() {
-    Random random(seed, 6);
-    const EnvironmentMap map = random_map(random);
     const Scene scene = sphere_scene();
     Scene no_shadow = scene;
     no_shadow.sphere.centre.y = no_shadow.rectangle.y = -1e9;
@@ -388,11 +385,9 @@ void reflected_radiance_values() {
         for (const Vec3& w : rule.directions) rule.weights.push_back((1 + w.x) * random.uniform() - 0.2);
         QuadratureRule twice = rule;
         for (std::size_t i = 0; i < rule.size(); ++i) twice.weights[i] *= rule.directions[i].y;
-        Frame local({0, 1, 0});
-        local.tangent = {1, 0, 0}, local.bitangent = {0, 0, 1};
         const Color came = reflected_radiance(scene, map, hit, rule, frame),
                     open = reflected_radiance(no_shadow, map, hit, rule, frame),
-                    still = reflected_radiance(scene, map, hit, rule, local),
+                    still = reflected_radiance(scene, map, hit, rule, upright),
                     dark = reflected_radiance(scene, map, hit, twice, frame);
         in = formatted("in column %d of row %d of 24, at the ", x, y) +
              (hit.object == Object::sphere ? "sphere" : "rectangle") + ", normal " + text(hit.normal) + ": ";
@@ -447,18 +442,6 @@ RenderSettings settings_of(Method method, std::size_t n) {
     return settings;
 }
 
-// The weights, and where the frame carries the directions.
-void rule_values(const QuadratureRule& rule, const Frame& frame) {
-    std::vector<Mistakes> mistakes;
-    for (std::size_t i = 0; i < rule.size() && i < rule.directions.size(); ++i)
-        mistakes.push_back({{rule.weights[i] / rule.directions[i].y, "cos(theta) is missing"}});
-    count("directions", rule.directions.size());
-    count("weights", rule.weights.size());
-    numbers("weight", rule.weights, 1e-6, mistakes);
-    for (std::size_t i = 0; i < rule.directions.size(); ++i)
-        vector(formatted("in the world, direction %zu", i), frame.to_world(rule.directions[i]));
-}
-
 void shared_rules_values() {
     for (const Method method : {Method::single, Method::rotated, Method::pool})
         for (const std::size_t n : {3u, 20u}) {
@@ -468,7 +451,7 @@ void shared_rules_values() {
             count("rules", rules.shared().size());
             for (std::size_t i = 0; i < rules.shared().size(); ++i) {
                 in = "method " + name + formatted(", n = %zu, rule %zu, by rule_stream(settings_, %zu): ", n, i, i);
-                rule_values(*rules.shared()[i], Frame({0, 1, 0}));
+                rule_values(*rules.shared()[i], upright, 1e-6);
             }
         }
 }
@@ -494,7 +477,7 @@ void rule_for_values() {
             if (method != Method::direct)
                 value(formatted("with the first random number %.4g, the index of the rule", first),
                       index_of(*came.rule, rules.shared()), 0);
-            rule_values(*came.rule, came.frame);
+            rule_values(*came.rule, came.frame, 1e-6);
             if (n == 3) value("the random number that follows", random.uniform(), 1e-12);
         }
     }
