@@ -67,3 +67,10 @@ TEST_CASE("a process refuses what is no sample set, and values that do not belon
     CHECK_THROWS_WITH(process.integral({1, 2}), "a process of 3 directions was given 2 values");
     CHECK_THROWS_AS(process.amplitude({1, 2, 3, 4}), std::invalid_argument);
 }
+
+TEST_CASE("a variance that would be negative is 0, not its size") {
+    struct SmallPrior : Sobolev {
+        double zz() const override { return 1; }  // z^T Q^-1 z is about 60
+    };
+    CHECK(GaussianProcess(SmallPrior(), 0.01, some_directions(5)).variance() == 0);
+}
