@@ -14,8 +14,8 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
 // BEGIN SOLUTION shade
 // The same as one loop of
 //     if (!is_shadowed(scene, hit, direction)) irradiance += rule.weights[i] * environment.radiance(direction);
-// and four times as fast: the first loop has no branch, so that a processor computes several rays at once. A ray in the
-// shadow gets texel 0, which is black.
+// and three to four times as fast: the first loop has no branch, so that a processor computes several rays at once. A
+// ray in the shadow gets texel 0, which is black.
 Color reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
                          const QuadratureRule& rule, const Frame& frame) {
     std::vector<int> texels(rule.size());
