@@ -52,14 +52,19 @@ TEST_CASE("windows grow from 7 x 7 pixels to 15 x 15") {
     }
 }
 
-TEST_CASE("a pilot is all of a small picture, and every k-th pixel of a large one") {
+TEST_CASE("a pilot is a small picture, every k-th pixel of a large one, or as many as asked") {
     const EnvironmentMap map = coloured_map(16, 9), black(1, 1);
     const EnvironmentLight light(map, false, 1);
     PictureSettings settings{small_picture(Method::rotated, 5, 60), false};
-    CHECK(relative(pilot_rmse(light, settings), rmse_by_better(light, settings, 0, 1)) < 1e-12);
-    settings.width = settings.height = 130;
-    CHECK(relative(pilot_rmse(light, settings), rmse_by_better(light, settings, 1, 2)) < 1e-12);
-    CHECK(pilot_rmse({black, false, 1}, settings) == 0);
+    CHECK(relative(pilot_rmse(light, settings, 0), rmse_by_better(light, settings, 0, 1)) < 1e-12);
+    settings.width = settings.height = 300;
+    const double half = rmse_by_better(light, settings, 1, 2), whole = rmse_by_better(light, settings, 0, 1);
+    CHECK(relative(pilot_rmse(light, settings, 0), half) < 1e-12);
+    CHECK(relative(pilot_rmse(light, settings, 5 * 10000), half) < 1e-12);
+    CHECK(relative(pilot_rmse(light, settings, 5 * 20000), whole) < 1e-12);  // of 59,000 pixels with an object
+    settings.threads = 2;
+    CHECK(pilot_rmse(light, settings, 1e9) == pilot_rmse(light, settings, 5 * 20000));
+    CHECK(pilot_rmse({black, false, 1}, settings, 0) == 0);
 }
 
 // Nothing of the picture goes into the better one: equal weights, fresh random numbers.
@@ -92,21 +97,34 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
     settings.method = Method::pool;
     CHECK(samples_for(1.5, 1000, light, settings).samples == chosen.samples);
     settings.samples = static_cast<std::size_t>(chosen.samples);
-    CHECK(chosen.rmse == pilot_rmse(light, settings));
+    CHECK(chosen.rmse == pilot_rmse(light, settings, 0));
     CHECK(chosen.rmse <= 1.5);
     CHECK(chosen.rmse > 1.2);
     CHECK(samples_for(1e9, 1000, light, settings).samples == 2);
     CHECK(samples_for(1e-9, 6, light, settings).samples > 1e6);
 }
 
-TEST_CASE("the first pilot has the rays that meet all of a light, unless it is known") {
+TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
     EnvironmentMap lamp = even_map(64, 32, 1);
     lamp.set(20, 8, {5000, 5000, 5000});
-    PictureSettings settings{small_picture(Method::mc, 1, 129), false};
-    double pixels = 0;
-    for_each_hit(sphere_scene(), {129, 129}, [&](int x, int y, const Hit&) { pixels += x % 2 == 1 && y % 2 == 1; });
-    const double rays = 16 * kurtosis(lamp) * (1 - 1.0 / 4);
-    CHECK(samples_for(1e9, 4096, {lamp, false, 1}, settings).samples == std::ceil(rays / pixels));
-    settings.light_known = true;
-    CHECK(samples_for(1e9, 4096, {lamp, true, 1}, settings).samples == 2);
+    PictureSettings settings{small_picture(Method::mc, 2, 260), false};
+    for (const bool light_known : {false, true}) {
+        CAPTURE(light_known);
+        settings.light_known = light_known;
+        const EnvironmentLight light(lamp, light_known, 1);
+        CHECK(samples_for(1e9, 4096, light, settings).rmse == pilot_rmse(light, settings, light_known ? 0 : 1e9));
+        CHECK(pilot_rmse(light, settings, 0) != pilot_rmse(light, settings, 1e9));
+    }
+}
+
+TEST_CASE("the better picture has other random numbers") {
+    const EnvironmentMap map = coloured_map(16, 9);
+    const EnvironmentLight light(map, true, 1);
+    PictureSettings settings{small_picture(Method::pool, 5, 24), true};
+    const Scene scene = sphere_scene();
+    const Image better = render(scene, map, settings, better_shader(scene, light, settings));
+    settings = {small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci), true};
+    CHECK(better.pixels != picture(light, settings).pixels);
+    ++settings.seed;
+    CHECK(better.pixels == picture(light, settings).pixels);
 }

@@ -1,6 +1,7 @@
 #include "beyond/prediction/prediction.h"
 
 #include "beyond/known_light/texels_on_sphere.h"
+#include "numerics/parallel.h"
 
 namespace bmc::beyond {
 Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
@@ -70,44 +71,40 @@ double root_mean_square(const Image& errors) {
     return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-namespace {
-
 struct PilotPixel {
     int x, y;
     Hit hit;
 };
 
-struct Pilot {
-    int across, down;  // from pixel to pixel
-    std::vector<PilotPixel> pixels;
-
-    explicit Pilot(const RenderSettings& settings)
-        : across(std::max(1, settings.width / 64)), down(std::max(1, settings.height / 64)) {
-        const Camera camera{settings.width, settings.height};
+static std::vector<PilotPixel> pilot_pixels(const RenderSettings& settings, double rays) {
+    const Camera camera{settings.width, settings.height};
+    for (int parts = 128;; parts *= 2) {
+        const int across = std::max(1, settings.width / parts), down = std::max(1, settings.height / parts);
+        std::vector<PilotPixel> pixels;
         for (int y = down / 2; y < settings.height; y += down)
             for (int x = across / 2; x < settings.width; x += across)
                 if (const auto hit = intersect(sphere_scene(), camera.ray(x, y))) pixels.push_back({x, y, *hit});
+        if (across * down == 1 || static_cast<double>(pixels.size() * settings.samples) >= rays) return pixels;
     }
-};
-
-// Of the first pilot.
-double samples_that_meet_all(const EnvironmentLight& light, const PictureSettings& settings) {
-    if (settings.light_known) return 2;
-    const Pilot pilot(settings);
-    const double others = 1 - 1.0 / (pilot.across * pilot.down), pixels = static_cast<double>(pilot.pixels.size());
-    return std::max(2.0, std::ceil(16 * others * kurtosis(light.environment) / std::max(1.0, pixels)));
 }
 
-}  // namespace
-
-double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings) {
+double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings, double rays) {
     const Scene scene = sphere_scene();
     const Shader picture = shader_of(scene, light, settings, rules_of(light, settings));
     const Shader better = better_shader(scene, light, settings);
-    const Pilot pilot(settings);
-    double squares = 0;
-    for (const auto& [x, y, hit] : pilot.pixels) squares += squared_distance(picture(hit, x, y), better(hit, x, y));
-    return pilot.pixels.empty() ? 0 : std::sqrt(squares / (3 * static_cast<double>(pilot.pixels.size())));
+    const std::vector<PilotPixel> pixels = pilot_pixels(settings, rays);
+    std::vector<double> squares(pixels.size());
+    constexpr std::size_t block = 512;
+    for_each_row(static_cast<int>((pixels.size() + block - 1) / block), settings.threads, [&](int number) {
+        const std::size_t first = static_cast<std::size_t>(number) * block;
+        for (std::size_t i = first; i < std::min(first + block, pixels.size()); ++i) {
+            const auto& [x, y, hit] = pixels[i];
+            squares[i] = squared_distance(picture(hit, x, y), better(hit, x, y));
+        }
+    });
+    double sum = 0;
+    for (const double square : squares) sum += square;
+    return pixels.empty() ? 0 : std::sqrt(sum / (3 * static_cast<double>(pixels.size())));
 }
 
 double kurtosis(const EnvironmentMap& map) {
@@ -130,13 +127,12 @@ double kurtosis(const EnvironmentMap& map) {
 
 Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings) {
     if (settings.method == Method::direct) settings.method = Method::pool;
+    const double rays = settings.light_known ? 0 : 256 * kurtosis(light.environment), limit = static_cast<double>(most);
     const auto predict = [&](double samples) {
         settings.samples = static_cast<std::size_t>(samples);
-        return Prediction{samples, pilot_rmse(light, settings)};
+        return Prediction{samples, pilot_rmse(light, settings, rays)};
     };
-    const double fewest = samples_that_meet_all(light, settings), limit = static_cast<double>(most);
-    if (fewest > limit) return {fewest, target};
-    Prediction last = predict(fewest), next = last;
+    Prediction last = predict(2), next = last;
     // Errors at the edges of shadows fall like the power -3/4 of the samples; twice that excludes what no rule reaches.
     const auto in_reach = [&] { return next.rmse * portable::pow(next.samples / limit, 1.5) <= target; };
     while (next.rmse > target && next.samples < limit && in_reach()) {

@@ -28,8 +28,9 @@ Image predicted_errors(const Image& picture, const Image& better);
 double root_mean_square(const Image& errors);
 
 // The predicted RMSE of a picture before it is rendered, by a pilot: every k-th pixel of every k-th row of this
-// picture, k a 64th of the width and of the height (at least 1). 0 if none of them shows an object.
-double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings);
+// picture, k a 128th of the width and of the height (at least 1). k is halved, down to 1, until the pilot traces at
+// least this number of rays. 0 if none of the pixels shows an object.
+double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings, double rays);
 
 // The mean of (L - mean of L)^4 over all directions, over the squared mean of (L - mean of L)^2, where L is R + G + B;
 // 1 if L is constant.
@@ -40,13 +41,14 @@ struct Prediction {
     double rmse;
 };
 
-// The fewest samples whose predicted RMSE is at most the target. Pilots double the samples, and then follow the power
-// between the last two. If `most` samples do not suffice, it is about the number that would, with the target.
+// The fewest samples, at least 2, whose predicted RMSE is at most the target. Pilots double the samples, and then
+// follow the power between the last two. If `most` samples do not suffice, it is about the number that would, with the
+// target.
 //
-// The first pilot has at least 2 samples, and enough to meet all of a light that is not known. The variance of n
-// numbers of kurtosis K has a relative standard error of about sqrt(K / n), and its root has half of that. A pilot
-// traces n = pixels x samples rays, and n >= 16 K makes that an eighth. The pixels that the pilot shares with the
-// picture do not err: K counts for the fraction of the others only.
+// A pilot that misses a small bright light predicts too little. The variance of n numbers of kurtosis K has a relative
+// standard error of about sqrt(K / n), and its root has half of that: 1 / 32 if the pilot has n = 256 K rays. It is a
+// few times as much if rays have several weights, and none if the pilot is the whole picture. A light that is known is
+// not missed.
 //
 // Throws what the Gaussian processes throw. The pilots of Method::direct have the rules of a pool, to save time.
 Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings);
