@@ -1,4 +1,4 @@
-// What it saves to know the light, and how well two pictures predict the error of one.
+// What it saves to know the light, and how well a better picture predicts the error of one.
 #pragma once
 
 #include "beyond/prediction/prediction.h"
