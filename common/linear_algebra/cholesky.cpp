@@ -3,27 +3,27 @@
 #include "numerics/formatted.h"
 
 namespace bmc {
-double root_of_pivot(const Matrix& a, std::size_t k, double pivot) {
-    const double least = static_cast<double>(k + 1) * DBL_EPSILON * std::fabs(a(k, k));
+double root_of_pivot(const Matrix& a, std::size_t m, double pivot) {
+    const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(a(m, m));
     if (!(pivot > least))
         throw NotPositiveDefinite(
-            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g", a.rows(), k, pivot));
+            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g", a.rows(), m, pivot));
     return std::sqrt(pivot);
 }
 
 // BEGIN SOLUTION inverse
-// As soon as row k of U is known, its products u_ki u_kj are subtracted from all rows i below: each row has then had
+// As soon as row m of U is known, its products u_mi u_mj are subtracted from all rows i below: each row has then had
 // its sum subtracted when its turn comes. The innermost loop runs along a row.
 static Matrix upper_factor(const Matrix& a) {
     const std::size_t n = a.rows();
     Matrix u = a;
-    for (std::size_t k = 0; k < n; ++k) {
-        u(k, k) = root_of_pivot(a, k, u(k, k));
-        for (std::size_t j = k + 1; j < n; ++j) u(k, j) /= u(k, k);
-        for (std::size_t i = k + 1; i < n; ++i) {
-            const double multiple = u(k, i);
-            u(i, k) = 0;
-            for (std::size_t j = i; j < n; ++j) u(i, j) -= multiple * u(k, j);
+    for (std::size_t m = 0; m < n; ++m) {
+        u(m, m) = root_of_pivot(a, m, u(m, m));
+        for (std::size_t j = m + 1; j < n; ++j) u(m, j) /= u(m, m);
+        for (std::size_t i = m + 1; i < n; ++i) {
+            const double multiple = u(m, i);
+            u(i, m) = 0;
+            for (std::size_t j = i; j < n; ++j) u(i, j) -= multiple * u(m, j);
         }
     }
     return u;
@@ -37,18 +37,18 @@ Cholesky::Cholesky(const Matrix& a) : upper_(0, 0) {
 
 std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const {
     if (b.size() != size()) throw std::invalid_argument("cholesky: the right-hand side must have one element per row");
-    for (std::size_t k = 0; k < size(); ++k) {
-        b[k] /= upper_(k, k);
-        for (std::size_t j = k + 1; j < size(); ++j) b[j] -= b[k] * upper_(k, j);
+    for (std::size_t m = 0; m < size(); ++m) {
+        b[m] /= upper_(m, m);
+        for (std::size_t j = m + 1; j < size(); ++j) b[j] -= b[m] * upper_(m, j);
     }
     return b;
 }
 
 std::vector<double> Cholesky::solve(std::vector<double> b) const {
     std::vector<double> x = forward_substitution(std::move(b));
-    for (std::size_t k = size(); k-- > 0;) {  // from the last row up
-        for (std::size_t j = size() - 1; j > k; --j) x[k] -= upper_(k, j) * x[j];
-        x[k] /= upper_(k, k);
+    for (std::size_t m = size(); m-- > 0;) {  // from the last row up
+        for (std::size_t j = size() - 1; j > m; --j) x[m] -= upper_(m, j) * x[j];
+        x[m] /= upper_(m, m);
     }
     return x;
 }

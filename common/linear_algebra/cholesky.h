@@ -1,6 +1,6 @@
 // The Cholesky factorisation A = U^T U of a symmetric positive definite matrix into an upper triangular factor U (Golub
-// & Van Loan, "Matrix Computations", section 4.2). Row k of U follows from the rows above it:
-//     u_kk = sqrt(a_kk - sum over i < k of u_ik^2),   u_kj = (a_kj - sum over i < k of u_ik u_ij) / u_kk for j > k
+// & Van Loan, "Matrix Computations", section 4.2). Row m of U follows from the rows above it:
+//     u_mm = sqrt(a_mm - sum over i < m of u_im^2),   u_mj = (a_mj - sum over i < m of u_im u_ij) / u_mm for j > m
 // A x = b is then solved by two triangular systems: U^T y = b from the first row down, and U x = y from the last row
 // up.
 #pragma once
@@ -10,14 +10,14 @@
 #include <stdexcept>
 
 namespace bmc {
-// Thrown for a pivot that is not positive, or no larger than its rounding error (k + 1) eps a_kk (Higham, "Accuracy and
+// Thrown for a pivot that is not positive, or no larger than its rounding error (m + 1) eps a_mm (Higham, "Accuracy and
 // Stability of Numerical Algorithms", 2002, section 10.1). The rows are then nearly dependent.
 struct NotPositiveDefinite : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// u_kk: the square root of the pivot a_kk - sum over i < k of u_ik^2. Throws NotPositiveDefinite.
-double root_of_pivot(const Matrix& a, std::size_t k, double pivot);
+// u_mm: the square root of the pivot a_mm - sum over i < m of u_im^2. Throws NotPositiveDefinite.
+double root_of_pivot(const Matrix& a, std::size_t m, double pivot);
 
 class Cholesky {
 public:

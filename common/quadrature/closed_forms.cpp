@@ -33,8 +33,8 @@ static double complete_elliptic(double q, double root_p, double a, double b) {
 }
 
 // M(b) is 8/3 - (2/3) sqrt(2 b), so z by caps is 16 pi / 3 less (4/3) sqrt(2) times the integral of sqrt(b) over E,
-// which is 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1). cel is linear in its last two arguments: with the factor q
-// moved into them nothing is 0 times infinity.
+// which is 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1), as tan(E / 2) = q cot t shows. cel is linear in its last
+// two arguments: with the factor q moved into them nothing is 0 times infinity.
 double sobolev_z(double cos_theta) {
     const auto [sigma, q] = PolarAngle(cos_theta);
     return 16 * pi / 3 - 8 * std::sqrt(2.0) / 3 * std::sqrt(1 + sigma) * complete_elliptic(q, 1 / q, 1 / q, q);

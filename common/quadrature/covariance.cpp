@@ -10,9 +10,9 @@ using portable::pi;
 // z of any covariance: twice the integral of M(b) over E from 0 to pi, where b is the height of a cap, t = tan(E / 2)
 // and cos E = (1 - t^2) / (1 + t^2):
 //     b = (1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E) = (1 + sigma) (q^4 + t^2) / (q^2 + t^2)
-// common/README.md derives it, with a figure: great arcs from omega to the horizon cut H into narrow sectors of caps
-// around omega. E is the eccentric anomaly on an ellipse of eccentricity sigma whose true anomaly is the arc's azimuth.
-// The step is in ln t; a length-scale below 1/2 needs a smaller one.
+// The appendix of common/README.md derives it, with a figure: great arcs from omega to the horizon cut H into narrow
+// sectors of caps around omega, and dE is the area of a sector. The step is in ln t; a length-scale below 1/2 needs a
+// smaller one.
 double Covariance::z(double cos_theta) const {
     const PolarAngle theta(cos_theta);
     const double q2 = theta.q * theta.q;

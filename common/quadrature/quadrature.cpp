@@ -7,35 +7,6 @@ static DirectionSet rotated(DirectionSet set, Random& random) {
     return set;
 }
 
-double relative_weight_sum(const QuadratureRule& rule) {
-    double sum = 0;
-    for (const double weight : rule.weights) sum += weight;
-    return sum / known_integral(rule.known);
-}
-
-double stability_constant(const QuadratureRule& rule) {
-    double sum = 0;
-    for (const double weight : rule.weights) sum += std::fabs(weight);
-    return sum / known_integral(rule.known);
-}
-
-// W_j
-static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
-    return rule.weights[j] * (rule.known == Known::cosine ? 1 : rule.directions[j].y);
-}
-
-double white_brightness(const QuadratureRule& rule) {
-    double sum = 0;
-    for (std::size_t j = 0; j < rule.size(); ++j) sum += weight_in_picture(rule, j);
-    return sum / portable::pi;
-}
-
-double noise_gain(const QuadratureRule& rule) {
-    double squares = 0;
-    for (std::size_t j = 0; j < rule.size(); ++j) squares += weight_in_picture(rule, j) * weight_in_picture(rule, j);
-    return std::sqrt(3 * static_cast<double>(rule.size()) * squares) / (2 * portable::pi);
-}
-
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
     switch (placement) {
         case Placement::uniform: return {random_directions(n, random), Density::uniform};
@@ -73,5 +44,34 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
         case CovarianceFamily::squared_exponential: return std::make_shared<SquaredExponential>(length_scale);
     }
     throw std::logic_error("a covariance without a class");
+}
+
+double relative_weight_sum(const QuadratureRule& rule) {
+    double sum = 0;
+    for (const double weight : rule.weights) sum += weight;
+    return sum / known_integral(rule.known);
+}
+
+double stability_constant(const QuadratureRule& rule) {
+    double sum = 0;
+    for (const double weight : rule.weights) sum += std::fabs(weight);
+    return sum / known_integral(rule.known);
+}
+
+// W_j
+static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
+    return rule.weights[j] * (rule.known == Known::cosine ? 1 : rule.directions[j].y);
+}
+
+double white_brightness(const QuadratureRule& rule) {
+    double sum = 0;
+    for (std::size_t j = 0; j < rule.size(); ++j) sum += weight_in_picture(rule, j);
+    return sum / portable::pi;
+}
+
+double noise_gain(const QuadratureRule& rule) {
+    double squares = 0;
+    for (std::size_t j = 0; j < rule.size(); ++j) squares += weight_in_picture(rule, j) * weight_in_picture(rule, j);
+    return std::sqrt(3 * static_cast<double>(rule.size()) * squares) / (2 * portable::pi);
 }
 }  // namespace bmc

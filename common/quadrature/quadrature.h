@@ -22,23 +22,6 @@ struct QuadratureRule {
 inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
 inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
 
-// The sum of the weights over the integral of p: 1 for a rule that is exact for constants.
-double relative_weight_sum(const QuadratureRule& rule);
-
-// S, the sum of |weights| over the integral of p. If no sample errs by more than e, the estimate errs by at most e S
-// times the integral of p. Monte Carlo has S = 1. Above 2, weights of both signs cancel, and pictures are usually worse
-// than Monte Carlo's (Karvonen, Kanagawa & Sarkka, "On the positivity and magnitudes of Bayesian quadrature weights",
-// Statistics and Computing 2019).
-double stability_constant(const QuadratureRule& rule);
-
-// A picture takes the integral of L cos(theta), with the weights W_j = weights[j] cos(theta_j) if p = 1. Two worlds
-// show what they do. A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte
-// Carlo is 1 / sqrt(3 N) there. In a world of noise the samples are independent, and the variance of the estimate is
-// theirs times the sum of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of
-// both sums.
-double white_brightness(const QuadratureRule& rule);
-double noise_gain(const QuadratureRule& rule);
-
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.
 enum class Placement { uniform, fibonacci, cosine, cosine_fibonacci };
@@ -87,4 +70,21 @@ struct ModelSettings {
     // Throws std::invalid_argument as the covariance's constructor does, and if the known part has no closed form.
     std::shared_ptr<const Covariance> make_covariance() const;
 };
+
+// The sum of the weights over the integral of p: 1 for a rule that is exact for constants.
+double relative_weight_sum(const QuadratureRule& rule);
+
+// S, the sum of |weights| over the integral of p. If no sample errs by more than e, the estimate errs by at most e S
+// times the integral of p. Monte Carlo has S = 1. Above 2, weights of both signs cancel, and pictures are usually worse
+// than Monte Carlo's (Karvonen, Kanagawa & Sarkka, "On the positivity and magnitudes of Bayesian quadrature weights",
+// Statistics and Computing 2019).
+double stability_constant(const QuadratureRule& rule);
+
+// A picture takes the integral of L cos(theta), with the weights W_j = weights[j] cos(theta_j) if p = 1. Two worlds
+// show what they do. A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte
+// Carlo is 1 / sqrt(3 N) there. In a world of noise the samples are independent, and the variance of the estimate is
+// theirs times the sum of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of
+// both sums.
+double white_brightness(const QuadratureRule& rule);
+double noise_gain(const QuadratureRule& rule);
 }  // namespace bmc
