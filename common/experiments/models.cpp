@@ -101,14 +101,13 @@ Options ModelsReport::options() {
 std::string ModelsReport::report() const {
     const auto light = std::make_shared<const EnvironmentMap>(load_environment(environment));
     const std::vector<Integrand> integrands = scene_integrands(light, points);
-    std::string text =
-        formatted(
-            "# Which model does the scene require? Its light times visibility times cos(theta) at %zu points, by %zu\n"
-            "# sets of %zu samples.",
-            points, sets, samples) +
-        " rmse: the error of the estimate, with its standard error; ratio: predicted over actual\n"
-        "# rmse, 1 is honest; evidence: log evidence per point less that of the first row, larger is better.\n"
-        "# covariance          parameter  noise       rmse         +-  ratio  evidence\n";
+    std::string text = formatted(
+        R"(# Which model does the scene require? Its light times visibility times cos(theta) at %zu points, by %zu
+# sets of %zu samples. rmse: the error of the estimate, with its standard error; ratio: predicted over actual
+# rmse, 1 is honest; evidence: log evidence per point less that of the first row, larger is better.
+# covariance          parameter  noise       rmse         +-  ratio  evidence
+)",
+        points, sets, samples);
     double evidence_of_default = 0;
     const std::vector<ModelSettings> models = all_models();
     Progress progress(static_cast<double>(models.size()));

@@ -18,8 +18,8 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
 // 17 digits are a double: read_samples reads the directions that are printed here.
 static std::string weights_block(const GaussianProcess& process, Known known) {
     std::string text =
-        "#                      x                        y                        z          z_j                   "
-        "weight\n";
+        R"(#                      x                        y                        z          z_j                   weight
+)";
     std::size_t negative = 0;
     for (std::size_t i = 0; i < process.weights().size(); ++i) {
         const Vec3 w = process.directions()[i];
@@ -31,10 +31,11 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
     const double ratio = relative_weight_sum(rule), integral = known_integral(known);
     return text +
            formatted(
-               "# The weights sum to %.6g; the integral of %s is %.6g. The ratio is %.4g: 1 is exact for constants.\n"
-               "# Their sizes sum to S = %.4g times that integral; Monte Carlo has 1. %zu weights are negative.\n"
-               "# In a picture, a white world has the brightness B = %.4g; 1 is right. The errors of samples count\n"
-               "# %.3g times as much as in Monte Carlo. Above 2, pictures are usually worse than Monte Carlo's.\n",
+               R"(# The weights sum to %.6g; the integral of %s is %.6g. The ratio is %.4g: 1 is exact for constants.
+# Their sizes sum to S = %.4g times that integral; Monte Carlo has 1. %zu weights are negative.
+# In a picture, a white world has the brightness B = %.4g; 1 is right. The errors of samples count
+# %.3g times as much as in Monte Carlo. Above 2, pictures are usually worse than Monte Carlo's.
+)",
                ratio * integral, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
                negative, white_brightness(rule), noise_gain(rule));
 }

@@ -89,13 +89,12 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
 
 std::string StabilityReport::report() const {
     std::string text =
-        "# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all\n"
-        "# directions are rotated about the up axis, which must not change a weight (-: the matrix is refused). Then\n"
-        "# the stability constant S: Monte Carlo has 1; above 2, pictures are usually worse than those of Monte "
-        "Carlo.\n"
-        "#                                                   digits at a noise of               S at a noise of\n"
-        "# set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6    "
-        "    0\n";
+        R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
+# directions are rotated about the up axis, which must not change a weight (-: the matrix is refused). Then
+# the stability constant S: Monte Carlo has 1; above 2, pictures are usually worse than those of Monte Carlo.
+#                                                   digits at a noise of               S at a noise of
+# set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
+)";
     std::vector<int> fewest(std::size(noises), 16), refused(std::size(noises));
     const auto work = [](std::size_t samples) { return static_cast<double>(samples * samples * samples); };
     double all = 0;
@@ -121,8 +120,8 @@ std::string StabilityReport::report() const {
         text += constants + '\n';
     }
     return text + numbers_line("refused (-)", refused) + numbers_line("fewest digits of the others", fewest) +
-           "# In the cluster the squared exponential of two directions rounds to 1. Rotating cannot show this: only 3 "
-           "of\n"
-           "# the digits at 1e-6 are right.\n";
+           R"(# In the cluster the squared exponential of two directions rounds to 1. Rotating cannot show this: only 3 of
+# the digits at 1e-6 are right.
+)";
 }
 }  // namespace bmc

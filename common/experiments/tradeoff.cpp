@@ -45,10 +45,10 @@ RuleCost rule_cost(std::size_t n) {
 // The answer to assignment 3.3.1: what a rule for every pixel costs, and why.
 static std::string rule_report() {
     std::string text =
-        "# What a rule costs, measured here: microseconds of each step, and of z from 50,000 random directions in "
-        "place "
-        "of\n"
-        "# its closed form.\n# samples       draw          Q     factor          z    weights     z50000\n";
+        R"(# What a rule costs, measured here: microseconds of each step, and of z from 50,000 random directions in place of
+# its closed form.
+# samples       draw          Q     factor          z    weights     z50000
+)";
     Progress progress(6, table_parts);
     const RenderSettings usual;
     RuleCost of_usual{};
@@ -66,23 +66,25 @@ static std::string rule_report() {
     for_each_hit(sphere_scene(), {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
     return text +
            formatted(
-               "# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes %.2g "
-               "seconds, of\n# which the step %s takes the largest part. From 50,000 random directions, z alone would "
-               "take %.2g "
-               "minutes.\n\n\n",
+               R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes %.2g seconds, of
+# which the step %s takes the largest part. From 50,000 random directions, z alone would take %.2g minutes.
+
+
+)",
                usual.width, usual.height, pixels, of_usual.samples, pixels * of_usual.seconds(), costly->name,
                pixels * of_usual.z_by_sum / 60);
 }
 
 static const char* const meaning =
-    "# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its\n"
-    "# standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean "
-    "square\n"
-    "# of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the\n"
-    "# integrand.\n";
+    R"(# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its
+# standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean square
+# of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
+# integrand.
+)";
 static const char* const measured =
-    "# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is\n"
-    "# that relative to mc.\n";
+    R"(# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is
+# that relative to mc.
+)";
 
 Options TradeoffReport::options() {
     return joined({Options{text_option("environment", "FILE",
