@@ -25,8 +25,7 @@ static std::size_t shared_count(const RenderSettings& settings) {
 PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings) {
     if (settings.method != Method::mc) covariance_ = settings.make_covariance();
     if (shared_count(settings) == 0) return;
-    Progress progress(static_cast<double>(shared_count(settings)),
-                      0);  // share 0: the rules count as none of the work of an outer stage
+    Progress progress(static_cast<double>(shared_count(settings)), 0);  // 0: no part of an outer stage's work
     making_ = &progress;
     shared_ = shared_rules();
     making_ = nullptr;
