@@ -52,7 +52,8 @@ public:
 
     // The number of the texel that a direction of unit length meets. This runs for every ray: it is arithmetic without
     // a branch, which a compiler computes for several rays at once. Rounding can carry u or v past 0 or 1, and the
-    // conversion to int drops that error. The error of the polynomials is 4e-6 of a texel in a map 1024 wide.
+    // conversion to int drops that error. azimuth and arccosine are polynomials; in a map 1024 wide their error is 4e-6
+    // of a texel.
     int index(Vec3 direction) const {
         return index(static_cast<int>(grid_.column(direction.x, direction.z)),
                      static_cast<int>(grid_.row(direction.y)));
