@@ -3,6 +3,7 @@
 #include "numerics/formatted.h"
 
 namespace bmc {
+// A pivot is a(m, m) less m products, each of which is rounded: a smaller one may be nothing but rounding.
 double root_of_pivot(const Matrix& a, std::size_t m, double pivot) {
     const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(a(m, m));
     if (!(pivot > least))
@@ -35,6 +36,7 @@ Cholesky::Cholesky(const Matrix& a) : upper_(0, 0) {
     upper_ = upper_factor(a);
 }
 
+// As in upper_factor: as soon as element m is known, its products are subtracted from all those below.
 std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const {
     if (b.size() != size()) throw std::invalid_argument("cholesky: the right-hand side must have one element per row");
     for (std::size_t m = 0; m < size(); ++m) {

@@ -11,16 +11,16 @@ namespace bmc {
 double squared_sine(double cos_theta);
 
 // The angle theta to the up axis, c its cosine, by its sine sigma and by q = c / (1 + sigma) = sqrt((1 - sigma) / (1 +
-// sigma)), the complementary modulus of the elliptic integrals: 1 straight up, 0 on the horizon. 1 / q must stay
-// finite, so q is at least 2^-60; z is linear in c near the horizon and changes by less than 1e-17.
+// sigma)): 1 straight up, 0 on the horizon. 1 / q must stay finite, so q is at least 2^-60. This changes z by less than
+// 1e-17.
 struct PolarAngle {
     double sigma, q;
 
     explicit PolarAngle(double c) : sigma(std::sqrt(squared_sine(c))), q(std::max(c / (1 + sigma), 0x1p-60)) {}
 };
 
-// The integral of f(tan^2(E / 2)) over E from 0 to pi. Substitute tan(E / 2) = e^v: then dE = dv / cosh v, and f
-// receives e^(2v). The integrand falls like e^-|v|, so outside of |v| <= 38 it is below rounding, and inside the
+// The integral of f(tan^2(E / 2)) over E from 0 to pi. Substitute t = tan(E / 2) = e^v: then dE = 2 t / (1 + t^2) dv =
+// dv / cosh v. The integrand falls like e^-|v|, so outside of |v| <= 38 it is below rounding, and inside the
 // trapezoidal rule is exact to rounding.
 template <class Function>
 double integral_over_angles(double step, Function f) {

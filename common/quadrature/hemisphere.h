@@ -11,8 +11,9 @@ namespace bmc {
 // The density of directions w.r.t. solid angle: 1 / (2 pi), or cos(theta) / pi.
 enum class Density { uniform, cosine };
 
-// n independent directions. u is uniform in (0, 1]. cos(theta) = u gives the uniform density (Archimedes), and
-// cos(theta) = sqrt(u) the density cos(theta) / pi (Malley's method). The cosine is drawn first, then the azimuth.
+// n independent directions. u is uniform in (0, 1]. cos(theta) = u gives the uniform density (Archimedes). cos(theta) =
+// sqrt(u), which is below c with the probability c^2, gives the density cos(theta) / pi (Malley's method). The cosine
+// is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density = Density::uniform);
 
 // n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles

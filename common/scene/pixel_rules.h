@@ -45,7 +45,8 @@ public:
 
     const RenderSettings& settings() const { return settings_; }
 
-    // The rules that pixels share. These and those below have the known part cos(theta).
+    // The rules that pixels share. The weights of these and of those below include cos(theta): they integrate
+    // L v cos(theta) from samples of L v.
     const SharedRules& shared() const { return shared_; }
 
     // A rule on fresh directions, of Monte Carlo or of a Gaussian process.
@@ -60,6 +61,6 @@ private:
     RenderSettings settings_;
     std::shared_ptr<const Covariance> covariance_;  // none of mc
     SharedRules shared_;
-    Progress* making_ = nullptr;  // the stage in which shared_ is made
+    Progress* making_ = nullptr;  // for the progress bar, while shared_ is made
 };
 }  // namespace bmc
