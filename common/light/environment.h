@@ -1,8 +1,7 @@
 // Light from infinitely far away: a map of radiance over all directions. A map of W x H texels has rows of constant
 // elevation, row 0 around +y, and columns of constant azimuth, -z in the middle and +x to the right of it. A direction
 // meets column floor(u (W - 1)) and row floor(v (H - 1)), where u = (1 + atan2(x, -z) / pi) / 2 and v = acos(y) / pi.
-// So it meets the last column or row only if u or v is 1, and a map of only two rows shows its upper row alone. (This
-// is the convention of the practice's base code.)
+// (So it meets the last column or row only if u or v is 1. This is the convention of the practice's base code.)
 #pragma once
 
 #include "numerics/vec3.h"

@@ -3,7 +3,7 @@
 #include "numerics/formatted.h"
 
 namespace bmc {
-// A pivot is a(m, m) less m products, each of which is rounded: a smaller one may be nothing but rounding.
+// A pivot is a(m, m) less m products. Below m + 1 roundings of a(m, m) it may be nothing but rounding.
 double root_of_pivot(const Matrix& a, std::size_t m, double pivot) {
     const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(a(m, m));
     if (!(pivot > least))
