@@ -1,7 +1,5 @@
 #include "beyond/request.h"
 
-#include "numerics/progress.h"
-
 namespace bmc::beyond {
 static void print_prediction(std::size_t samples, double rmse) {
     print_note(formatted("%zu sample%s for a predicted RMSE of %.2g", samples, samples == 1 ? "" : "s", rmse));
@@ -49,10 +47,8 @@ Image Request::image(const EnvironmentMap& map) const {
     const Scene scene = sphere_scene();
     const PixelRules rules = rules_of(light, chosen);
     if (!light_known) warn_of_weights(rules);  // a quotient of sums, where the light is known, has no such errors
-    Progress progress(show == Show::picture ? 1 : 2);
     Image image = render(scene, map, chosen, shader_of(scene, light, chosen, rules));
     if (show == Show::picture) return image;
-    progress.done();
     Image errors = predicted_errors(image, render(scene, map, chosen, better_shader(scene, light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);

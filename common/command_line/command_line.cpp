@@ -14,6 +14,8 @@
 #include <set>
 
 namespace bmc {
+static std::string program_name = "bmc";  // in front of each line on stderr
+
 static void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
@@ -107,8 +109,8 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (!given.rest.empty())
         throw std::invalid_argument("'" + given.rest[0] + "' is an argument of no option; --help lists the options");
     if (!command.file.empty() && isatty(STDOUT_FILENO))
-        throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + Progress::program +
-                                    ' ' + command.name + (command.name.empty() ? "> " : " > ") + command.file);
+        throw std::invalid_argument("the picture would go to the terminal; type ./" + program_name + ' ' +
+                                    command.name + (command.name.empty() ? "> " : " > ") + command.file);
     note_idle(given.options, command.experiment->idle());
     return command.experiment->report();
 }
@@ -139,11 +141,11 @@ void print_note(const std::string& text) {
         if (byte < ' ' || byte == 0x7f || of_utf8) shown[i] = '?';
     }
     Progress::show("");
-    std::fprintf(stderr, "%s: %s\n", Progress::program.c_str(), shown.c_str());
+    std::fprintf(stderr, "%s: %s\n", program_name.c_str(), shown.c_str());
 }
 
 int run_program(const char* name, const std::function<std::string()>& body) {
-    Progress::program = name;
+    program_name = name;
     const auto fail = [](const std::string& problem, int status) {
         print_note(problem);
         return status;

@@ -2,6 +2,7 @@
 
 #include "experiments/integrands.h"
 #include "numerics/parallel.h"
+#include "numerics/progress.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 
@@ -107,6 +108,7 @@ std::string Belief::report() const {
     print_note(formatted("estimate %.4f, standard error %.4f, truth %.4f", process.integral(values),
                          process.standard_error(values), reference_integral(integrand)));
     Image image(4 * disc, disc);
+    Progress progress(disc);
     for_each_row(disc, threads, [&](int y) {
         for (int i = 0; i < subpixels * subpixels * image.width; ++i) {
             const int x = i / (subpixels * subpixels), part = i % (subpixels * subpixels);
@@ -114,6 +116,7 @@ std::string Belief::report() const {
                          v = y + (part / subpixels + 0.5) / subpixels;
             image(x, y) += 1.0 / (subpixels * subpixels) * sky.color(x / disc, 2 * u / disc - 1, 2 * v / disc - 1);
         }
+        progress.done();
     });
     return encode(image, Format::ppm);
 }

@@ -1,7 +1,5 @@
 #include "experiments/error_table.h"
 
-#include "numerics/progress.h"
-
 namespace bmc {
 // An error that is only rounding is 0, so that programs that multiply in another order agree.
 static double absolute_error(double estimate, double truth) {
@@ -9,34 +7,25 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// Adds to each integrand's row the errors of Monte Carlo's estimates e = 0, 1, ..., mc_estimates of them. Estimate e
-// has the directions of directions_of_estimate(settings, rows[0].samples, e), the same for all
-// integrands.
+// Adds to each integrand's row the error of Monte Carlo's estimate with these directions.
 // BEGIN SOLUTION table
 static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                          const ErrorSettings& settings) {
-    for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
-        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate(settings, rows[0].samples, e));
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].mc.add(absolute_error(estimate(rule, integrands[i]), integrands[i].truth));
-    }
+                          const DirectionSet& set) {
+    const QuadratureRule rule = monte_carlo_rule(set);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].mc.add(absolute_error(estimate(rule, integrands[i]), integrands[i].truth));
 }
 // END SOLUTION
 
-// The same for Bayesian Monte Carlo, and the absolute errors that the process predicts: a normal error of the standard
-// deviation s has the mean absolute value sqrt(2 / pi) s. An estimate has one process for all integrands.
+// The same for the estimate of a Gaussian process with the covariance's known part, and the absolute error that the
+// process predicts: a normal error of the standard deviation s has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
 static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                           const ErrorSettings& settings) {
-    const auto covariance = settings.make_covariance();
-    for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-        const DirectionSet set = directions_of_estimate(settings, rows[0].samples, e);
-        const GaussianProcess process(*covariance, settings.noise, set.directions);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const std::vector<double> values = evaluate(integrands[i], set.directions, settings.known);
-            rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
-            rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
-        }
+                           const GaussianProcess& process, Known known) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::vector<double> values = evaluate(integrands[i], process.directions(), known);
+        rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
+        rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
     }
 }
 // END SOLUTION
@@ -66,25 +55,21 @@ static std::vector<Integrand> integrands_named(const std::string& name) {
     return named;
 }
 
-// How long the estimates with so many samples take, in any unit.
-static double work(std::size_t samples) { return static_cast<double>(samples * samples); }
-
-// The same integrands; the first one reports to progress after each so many values, that is, after each estimate.
-static std::vector<Integrand> counted(std::vector<Integrand> integrands, std::size_t values, Progress& progress) {
-    integrands[0].value = [&progress, values, value = integrands[0].value, calls = std::size_t{0}](Vec3 omega) mutable {
-        if (++calls % values == 0) progress.done();
-        return value(omega);
-    };
-    return integrands;
-}
+// How long an estimate takes, in any unit.
+static double mc_work(std::size_t samples) { return static_cast<double>(samples); }
+static double bmc_work(std::size_t samples) { return static_cast<double>(samples * samples) / 8; }
 
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
-                                 const ErrorSettings& settings) {
+                                 const ErrorSettings& settings, Progress& progress) {
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples, {}, {}, {}});
-    add_mc_errors(rows, integrands, settings);
+    for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done(mc_work(samples)))
+        add_mc_errors(rows, integrands, directions_of_estimate(settings, samples, e));
+    const auto covariance = settings.make_covariance();
     try {
-        Progress progress(static_cast<double>(settings.bmc_estimates), work(samples));
-        add_bmc_errors(rows, counted(integrands, samples, progress), settings);
+        for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done(bmc_work(samples))) {
+            std::vector<Vec3> directions = directions_of_estimate(settings, samples, e).directions;
+            add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, settings.known);
+        }
     } catch (const NotPositiveDefinite& refused) {
         for (ErrorRow& row : rows) {
             row.bmc = row.predicted = {};
@@ -119,11 +104,12 @@ std::string ErrorTables::report() const {
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text, refused, reason;
     double all_work = 0;
-    for (const std::size_t n : settings.samples) all_work += work(n);
+    for (const std::size_t n : settings.samples)
+        all_work += static_cast<double>(settings.mc_estimates) * mc_work(n) +
+                    static_cast<double>(settings.bmc_estimates) * bmc_work(n);
     Progress progress(all_work);
     for (const std::size_t n : settings.samples) {
-        const std::vector<ErrorRow> rows = error_rows(integrands, n, settings);
-        progress.done(work(n));
+        const std::vector<ErrorRow> rows = error_rows(integrands, n, settings, progress);
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
         if (rows[0].refusal.empty()) continue;
         refused += ' ' + std::to_string(n);

@@ -4,6 +4,7 @@
 
 #include "command_line/model_options.h"
 #include "experiments/integrands.h"
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 
 namespace bmc {
@@ -30,7 +31,7 @@ struct ErrorRow {
 // both methods, so that columns differ by the method and not by luck, and for all integrands, so that its rule is made
 // once.
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
-                                 const ErrorSettings& settings);
+                                 const ErrorSettings& settings, Progress& progress);
 
 // A line for each row; - stands for what has no meaning, such as the equivalent random samples of a lattice.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);

@@ -34,8 +34,7 @@ struct ModelResults {
 ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>& integrands, std::size_t samples) {
     const auto covariance = model.make_covariance();
     ModelResults all;
-    Progress progress(sets);
-    for (std::size_t set = 0; set < sets; ++set, progress.done()) {
+    for (std::size_t set = 0; set < sets; ++set) {
         const GaussianProcess process(*covariance, model.noise, directions_of_estimate({}, samples, set).directions);
         RootMeanSquare error, predicted;
         Statistics evidence;

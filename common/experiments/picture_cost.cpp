@@ -1,9 +1,5 @@
 #include "experiments/picture_cost.h"
 
-#include "experiments/picture_error.h"
-#include "numerics/progress.h"
-#include "numerics/statistics.h"
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -12,7 +8,6 @@ namespace bmc {
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
 static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettings settings) {
     settings.threads = 1;
-    Progress uncounted(1, 0);
     const auto seconds_at = [&](int side) {
         settings.width = settings.height = side;
         return time_call([&] { picture.image(settings); });
@@ -23,18 +18,13 @@ static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettin
     return rules + 1e6 * std::max(0.0, whole - rules) / pixels;
 }
 
-static PictureCost picture_cost(const ComparedPicture& picture, RenderSettings settings, const Image& truth) {
-    RootMeanSquare rmse, brightness;
-    Statistics correlation;
-    Progress progress(static_cast<double>(seeds_of(settings)));
-    for (const std::uint64_t end = settings.seed + seeds_of(settings); settings.seed != end; ++settings.seed) {
-        const ImageError error = image_error(picture.image(settings), truth);
-        rmse.add(error.rmse);
-        brightness.add(error.brightness);
-        correlation.add(error.correlation);
-        progress.done();
-    }
-    return {settings, picture.known, rmse.value(), rmse.standard_error(), correlation.mean, brightness.value(), 0};
+// If pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it. Otherwise every pixel is a
+// sample, and the seeds are for the brightness. Fewer seeds where they would take long.
+static std::uint64_t seeds_of(const RenderSettings& settings) {
+    if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
+    if (settings.method == Method::direct || (settings.method == Method::mc && !is_lattice(settings.placement)))
+        return 16;
+    return std::max<std::uint64_t>(16, 64 / settings.pool);
 }
 
 Options cost_options(CostSettings& costs) {
@@ -54,13 +44,34 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
     return settings;
 }
 
-// If pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it. Otherwise every pixel is a
-// sample, and the seeds are for the brightness. Fewer seeds where they would take long.
-std::uint64_t seeds_of(const RenderSettings& settings) {
-    if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
-    if (settings.method == Method::direct || (settings.method == Method::mc && !is_lattice(settings.placement)))
-        return 16;
-    return std::max<std::uint64_t>(16, 64 / settings.pool);
+Image reference_image(const EnvironmentMap& light, RenderSettings settings, std::size_t samples) {
+    settings.method = Method::mc;
+    settings.placement = Placement::cosine_fibonacci;
+    settings.samples = samples;
+    return picture(light, settings);
+}
+
+ImageError image_error(const Image& image, const Image& truth) {
+    const Scene scene = sphere_scene();
+    const Camera camera{image.width, image.height};
+    double count = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
+    Color sum;
+    for_each_hit(scene, camera, [&](int x, int y, const Hit&) {
+        const Color error = image(x, y) - truth(x, y);
+        count += 1;
+        sum += error;
+        true_sum += dot(truth(x, y), {1, 1, 1});
+        squares += dot(error, error);
+    });
+    const Color mean = 1 / count * sum;
+    for_each_hit(scene, camera, [&](int x, int y, const Hit&) {
+        if (x + 1 == image.width || !intersect(scene, camera.ray(x + 1, y))) return;
+        const Color here = image(x, y) - truth(x, y) - mean, next = image(x + 1, y) - truth(x + 1, y) - mean;
+        products += dot(here, next);
+        pair_squares += (dot(here, here) + dot(next, next)) / 2;
+    });
+    return {std::sqrt(squares / (3 * count)), pair_squares > 0 ? products / pair_squares : 0,
+            (sum.x + sum.y + sum.z) / true_sum};
 }
 
 ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
@@ -74,23 +85,18 @@ ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std
 }
 
 std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light) {
-    std::vector<ComparedPicture> list;
-    const auto add = [&](Method method, std::size_t pool, Placement placement, Known known = Known::nothing) {
-        list.push_back(compared_picture(light, method, pool, placement, known));
-    };
-    add(Method::mc, 1, Placement::uniform);
-    add(Method::mc, 1, Placement::cosine);
-    add(Method::direct, 1, Placement::uniform);
-    add(Method::single, 1, Placement::uniform);
-    add(Method::rotated, 1, Placement::uniform);
-    add(Method::pool, 5, Placement::uniform);
-    add(Method::pool, 20, Placement::uniform);
-    add(Method::pool, 20, Placement::cosine, Known::cosine);
-    add(Method::mc, 1, Placement::fibonacci);
-    add(Method::pool, 20, Placement::fibonacci);
-    add(Method::mc, 1, Placement::cosine_fibonacci);
-    add(Method::pool, 20, Placement::cosine_fibonacci, Known::cosine);
-    return list;
+    return {compared_picture(light, Method::mc, 1, Placement::uniform),
+            compared_picture(light, Method::mc, 1, Placement::cosine),
+            compared_picture(light, Method::direct, 1, Placement::uniform),
+            compared_picture(light, Method::single, 1, Placement::uniform),
+            compared_picture(light, Method::rotated, 1, Placement::uniform),
+            compared_picture(light, Method::pool, 5, Placement::uniform),
+            compared_picture(light, Method::pool, 20, Placement::uniform),
+            compared_picture(light, Method::pool, 20, Placement::cosine, Known::cosine),
+            compared_picture(light, Method::mc, 1, Placement::fibonacci),
+            compared_picture(light, Method::pool, 20, Placement::fibonacci),
+            compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci),
+            compared_picture(light, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine)};
 }
 
 double time_call(const std::function<void()>& action) {
@@ -109,21 +115,22 @@ double time_call(const std::function<void()>& action) {
     return fewest;
 }
 
-std::vector<PictureCost> picture_costs(const std::vector<ComparedPicture>& compared,
-                                       const std::vector<std::size_t>& samples, const CostSettings& costs,
-                                       const Image& truth) {
+PictureCost picture_cost(const ComparedPicture& picture, std::size_t samples, const CostSettings& costs,
+                         const Image& truth, const std::function<void(const Image&, const RenderSettings&)>& examine) {
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
-    std::vector<PictureCost> rows;
-    Progress progress(static_cast<double>(compared.size() * samples.size()), table_parts);
-    for (const ComparedPicture& each : compared)
-        for (const std::size_t n : samples) {
-            const RenderSettings settings = row_settings(costs, each.settings, n);
-            rows.push_back(picture_cost(each, settings, truth));
-            progress.done();
-            if (costs.timed) rows.back().seconds_per_megapixel = seconds_per_megapixel(each, settings);
-        }
-    return rows;
+    PictureCost cost{row_settings(costs, picture.settings, samples), picture.known, {}, {}, {}};
+    RenderSettings settings = cost.settings;
+    for (std::uint64_t i = 0; i < seeds_of(settings); ++i, ++settings.seed) {
+        const Image image = picture.image(settings);
+        const ImageError error = image_error(image, truth);
+        cost.rmse.add(error.rmse);
+        cost.brightness.add(error.brightness);
+        cost.correlation.add(error.correlation);
+        if (examine) examine(image, settings);
+    }
+    if (costs.timed) cost.seconds_per_megapixel = seconds_per_megapixel(picture, cost.settings);
+    return cost;
 }
 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading,
@@ -136,11 +143,11 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
-        const double gain = mc.rmse * mc.rmse / (row.rmse * row.rmse);
-        text +=
-            formatted("%-8s %5zu %-16s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g", name_of(s.method, method_names),
-                      s.pool, name_of(s.placement, placement_names), row.known, s.samples, row.rmse, row.rmse_error,
-                      row.correlation, row.brightness, static_cast<double>(s.samples) * gain);
+        const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
+        text += formatted("%-8s %5zu %-16s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
+                          name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names), row.known,
+                          s.samples, rmse, row.rmse.standard_error(), row.correlation.mean, row.brightness.value(),
+                          static_cast<double>(s.samples) * gain);
         if (!more.empty()) text += more[i];
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,

@@ -1,10 +1,10 @@
 #include "experiments/tradeoff.h"
 
-#include "experiments/picture_error.h"
 #include "light/load_environment.h"
 #include "numerics/progress.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace bmc {
 // z by its definition: 2 pi times the mean of k over 50,000 random directions.
@@ -17,13 +17,7 @@ static std::vector<double> z_by_sum(const Covariance& covariance, const std::vec
     return z;
 }
 
-double RuleCost::seconds() const {
-    double sum = 0;
-    for (const Step& step : steps) sum += step.seconds;
-    return sum;
-}
-
-RuleCost rule_cost(std::size_t n) {
+std::vector<double> rule_seconds(std::size_t n) {
     const Sobolev covariance;
     const double noise = ModelSettings().noise;
     Random random(1, n);
@@ -33,12 +27,11 @@ RuleCost rule_cost(std::size_t n) {
     const std::vector<double> z = z_of(covariance, directions);
     volatile double sink = 0;  // keeps the results, so that no step is optimised away
     const auto time = [&](auto step) { return time_call([&] { sink = step(); }); };
-    return {n,
-            {{"draw", time([&] { return random_directions(n, random).back().x; })},
-             {"Q", time([&] { return covariance_matrix(covariance, noise, directions)(0, 0); })},
-             {"factor", time([&] { return Cholesky(q).upper()(0, 0); })},
-             {"z", time([&] { return z_of(covariance, directions).back(); })},
-             {"weights", time([&] { return cholesky.solve(z).back(); })}},
+    return {time([&] { return random_directions(n, random).back().x; }),
+            time([&] { return covariance_matrix(covariance, noise, directions)(0, 0); }),
+            time([&] { return Cholesky(q).upper()(0, 0); }),
+            time([&] { return z_of(covariance, directions).back(); }),
+            time([&] { return cholesky.solve(z).back(); }),
             time([&] { return z_by_sum(covariance, directions).back(); })};
 }
 
@@ -49,19 +42,18 @@ static std::string rule_report() {
 # its closed form.
 # samples       draw          Q     factor          z    weights     z50000
 )";
-    Progress progress(6, table_parts);
+    constexpr const char* steps[] = {"draw", "Q", "factor", "z", "weights"};
     const RenderSettings usual;
-    RuleCost of_usual{};
+    std::vector<double> of_usual;
     for (const std::size_t n : {10u, 20u, 40u, 100u, 200u, 500u}) {
-        const RuleCost cost = rule_cost(n);
-        if (n == usual.samples) of_usual = cost;
-        progress.done();
+        const std::vector<double> seconds = rule_seconds(n);
+        if (n == usual.samples) of_usual = seconds;
         text += formatted("%9zu", n);
-        for (const RuleCost::Step& step : cost.steps) text += formatted(" %10.3g", 1e6 * step.seconds);
-        text += formatted(" %10.3g\n", 1e6 * cost.z_by_sum);
+        for (const double of_step : seconds) text += formatted(" %10.3g", 1e6 * of_step);
+        text += '\n';
     }
-    const auto costly = std::max_element(of_usual.steps.begin(), of_usual.steps.end(),
-                                         [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+    const auto end = of_usual.end() - 1;  // of the steps, before z by the sum
+    const auto costly = std::max_element(of_usual.begin(), end) - of_usual.begin();
     double pixels = 0;
     for_each_hit(sphere_scene(), {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
     return text +
@@ -71,8 +63,8 @@ static std::string rule_report() {
 
 
 )",
-               usual.width, usual.height, pixels, of_usual.samples, pixels * of_usual.seconds(), costly->name,
-               pixels * of_usual.z_by_sum / 60);
+               usual.width, usual.height, pixels, usual.samples, pixels * std::accumulate(of_usual.begin(), end, 0.0),
+               steps[costly], pixels * *end / 60);
 }
 
 static const char* const meaning =
@@ -96,18 +88,21 @@ Options TradeoffReport::options() {
 std::string TradeoffReport::report() const {
     std::vector<std::string> names{environment};
     if (environment.empty()) names = {std::begin(built_in_lights), std::end(built_in_lights)};
-    Progress progress(table_parts + static_cast<double>(names.size()) * (1 + table_parts));
+    Progress progress(static_cast<double>(names.size()));
     std::string text = costs.timed ? rule_report() : "";
-    progress.done(table_parts);
     for (const std::string& name : names) {
         const EnvironmentMap light = load_environment(name);
         const Image truth = reference_image(light, row_settings(costs, {}, 0), 10000);
-        progress.done();
+        const std::vector<ComparedPicture> compared = compared_pictures(light);
+        std::vector<PictureCost> rows;
+        for (const ComparedPicture& each : compared)
+            for (const std::size_t n : samples) {
+                rows.push_back(picture_cost(each, n, costs, truth));
+                progress.done(1.0 / static_cast<double>(compared.size() * samples.size()));
+            }
         text += (name == names[0] ? "" : "\n\n") +
                 formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
-                name + ".\n" + meaning + (costs.timed ? measured : "") +
-                picture_table(picture_costs(compared_pictures(light), samples, costs, truth), costs.timed);
-        progress.done(table_parts);
+                name + ".\n" + meaning + (costs.timed ? measured : "") + picture_table(rows, costs.timed);
     }
     return text;
 }

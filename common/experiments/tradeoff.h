@@ -5,19 +5,9 @@
 #include "experiments/picture_cost.h"
 
 namespace bmc {
-// The seconds of each step from drawing n directions to their weights (Sobolev 3/2, noise 0.01), measured here.
-struct RuleCost {
-    struct Step {
-        const char* name;
-        double seconds;
-    };
-    std::size_t samples;
-    std::vector<Step> steps;
-    double z_by_sum;  // z by 50,000 random directions, which a program without a closed form needs
-
-    double seconds() const;  // of all steps
-};
-RuleCost rule_cost(std::size_t n);
+// The seconds, measured here, of each step from drawing n directions to their weights (Sobolev 3/2, noise 0.01): draw,
+// Q, factor, z, weights. The last one is z by 50,000 random directions, which a program without a closed form needs.
+std::vector<double> rule_seconds(std::size_t n);
 
 // What `workbench tradeoff` prints.
 struct TradeoffReport : Experiment {

@@ -1,8 +1,6 @@
 // Rows of a picture, computed by several threads.
 #pragma once
 
-#include "numerics/progress.h"
-
 #include <atomic>
 #include <future>
 #include <system_error>
@@ -13,11 +11,10 @@ namespace bmc {
 // call ends the work of all and reaches the caller.
 template <class Row>
 void for_each_row(int rows, unsigned threads, Row row) {
-    Progress progress(rows);
     std::atomic<int> next{0};
     const auto work = [&] {
         try {
-            for (int y; (y = next++) < rows; progress.done()) row(y);
+            for (int y; (y = next++) < rows;) row(y);
         } catch (...) {
             next = rows;  // no thread begins another row
             throw;

@@ -1,5 +1,5 @@
-// How far long work is: a stage has so many parts, and within another stage it makes up `share` of the other's parts.
-// From one second until the outermost stage ends, a terminal shows "renderer: 43 %, 12 s left" (standard error).
+// How far long work is: from one second on a terminal shows "43 %, 12 s left" (standard error). Work inside other work
+// is a part of the other, and shows nothing.
 #pragma once
 
 #include "numerics/formatted.h"
@@ -7,34 +7,44 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <mutex>
+#include <utility>
 
 namespace bmc {
 class Progress {
-    double parts_, share_, done_ = 0;
-    Progress* outer_ = innermost_;
-    std::chrono::steady_clock::time_point start_ = outer_ ? outer_->start_ : std::chrono::steady_clock::now();
-    inline static thread_local Progress* innermost_ = nullptr;
+    double parts_, done_ = 0;
+    const bool outermost_ = !std::exchange(running_, true);
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    inline static bool running_ = false;
     inline static std::mutex mutex_;
+    inline static std::string shown_;  // the end of what the terminal has
 
 public:
-    inline static std::string program = "bmc", shown;  // shown: the end of what the terminal has
-    explicit Progress(double parts, double share = 1) : parts_(parts), share_(share) { innermost_ = this; }
+    explicit Progress(double parts) : parts_(parts) {}
     ~Progress() {
-        innermost_ = outer_;
-        if (!outer_) show("");
+        if (outermost_) show("");
+        if (outermost_) running_ = false;
     }
     static void show(const std::string& text) {  // in place of what is shown
-        if (text != shown) std::fprintf(stderr, "\r%*s\r%s", static_cast<int>(shown.size()), "", text.c_str());
-        shown = text;
+        if (text != shown_) std::fprintf(stderr, "\r%*s\r%s", static_cast<int>(shown_.size()), "", text.c_str());
+        if (shown_.empty() && !text.empty()) std::signal(SIGINT, erase_and_stop);
+        shown_ = text;
     }
     void done(double parts = 1) {  // Any thread may call this.
         const std::lock_guard<std::mutex> lock(mutex_);
-        double f = (done_ += parts) / parts_;  // the fraction of all work
-        for (auto s = this; s->outer_; s = s->outer_) f = (s->outer_->done_ + s->share_ * f) / s->outer_->parts_;
+        const double fraction = (done_ += parts) / parts_;
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        if (seconds < 1 || !isatty(STDERR_FILENO)) return;
-        show(formatted("%s: %.0f %%, %.0f s left", program.c_str(), 100 * f, seconds / f - seconds));
+        if (!outermost_ || seconds < 1 || !isatty(STDERR_FILENO)) return;
+        const double left = fraction < 1 ? seconds / fraction - seconds : 0;
+        show(formatted("%.0f %%, %.0f s left", 100 * fraction, left));
+    }
+
+private:
+    static void erase_and_stop(int signal) {  // with what a signal handler may call
+        constexpr char blanks[] = "\r                                \r";
+        if (write(STDERR_FILENO, blanks, sizeof blanks - 1) >= 0) std::signal(signal, SIG_DFL);
+        std::raise(signal);
     }
 };
 }  // namespace bmc

@@ -1,5 +1,7 @@
 #include "scene/pixel_rules.h"
 
+#include "numerics/progress.h"
+
 namespace bmc {
 Random pixel_stream(const RenderSettings& settings, int x, int y) {
     return {settings.seed, static_cast<std::uint64_t>(std::int64_t{y} * settings.width + x)};
@@ -24,20 +26,18 @@ static std::size_t shared_count(const RenderSettings& settings) {
 
 PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings) {
     if (settings.method != Method::mc) covariance_ = settings.make_covariance();
-    if (shared_count(settings) == 0) return;
-    Progress progress(static_cast<double>(shared_count(settings)), 0);  // 0: no part of an outer stage's work
-    making_ = &progress;
     shared_ = shared_rules();
-    making_ = nullptr;
 }
 
 // The shared_count(settings_) rules, made once: rule i by fresh_rule and rule_stream(settings_, i).
 // BEGIN SOLUTION shared_rules
 SharedRules PixelRules::shared_rules() const {
     SharedRules rules;
+    Progress progress(static_cast<double>(shared_count(settings_)));
     for (std::size_t i = 0; i < shared_count(settings_); ++i) {
         Random random = rule_stream(settings_, i);
         rules.push_back(fresh_rule(random));
+        progress.done();
     }
     return rules;
 }
@@ -45,11 +45,9 @@ SharedRules PixelRules::shared_rules() const {
 
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
     DirectionSet set = place_directions(settings_.placement, settings_.samples, random);
-    auto rule = std::make_shared<QuadratureRule>(cosine_rule(
+    return std::make_shared<QuadratureRule>(cosine_rule(
         settings_.method == Method::mc ? monte_carlo_rule(std::move(set))
                                        : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions))));
-    if (making_) making_->done();
-    return rule;
 }
 
 OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {

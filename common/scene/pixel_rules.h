@@ -2,7 +2,6 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
-#include "numerics/progress.h"
 #include "scene/reflection.h"
 
 namespace bmc {
@@ -61,6 +60,5 @@ private:
     RenderSettings settings_;
     std::shared_ptr<const Covariance> covariance_;  // none of mc
     SharedRules shared_;
-    Progress* making_ = nullptr;  // for the progress bar, while shared_ is made
 };
 }  // namespace bmc

@@ -1,6 +1,9 @@
 #include "scene/render.h"
 
 #include "numerics/parallel.h"
+#include "numerics/progress.h"
+
+#include <algorithm>
 
 namespace bmc {
 Shader environment_shader(const Scene& scene, const EnvironmentMap& environment, const PixelRules& rules) {
@@ -11,15 +14,28 @@ Shader environment_shader(const Scene& scene, const EnvironmentMap& environment,
     };
 }
 
+// How long a row takes, in any unit. Sky takes almost no time, so this counts objects in some of the row's pixels.
+static double work(const Scene& scene, const Camera& camera, int y) {
+    const int step = std::max(1, camera.width / 32);
+    double objects = 0.1;
+    for (int x = step / 2; x < camera.width; x += step) objects += intersect(scene, camera.ray(x, y)).has_value();
+    return objects;
+}
+
 Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings,
              const Shader& shade) {
     Image image(settings.width, settings.height);
+    const Camera camera{settings.width, settings.height};
+    double all_work = 0;
+    for (int y = 0; y < settings.height; ++y) all_work += work(scene, camera, y);
+    Progress progress(all_work);
     for_each_row(settings.height, settings.threads, [&](int y) {
         for (int x = 0; x < settings.width; ++x) {
-            const Ray ray = Camera{settings.width, settings.height}.ray(x, y);
+            const Ray ray = camera.ray(x, y);
             const std::optional<Hit> hit = intersect(scene, ray);
             image(x, y) = hit ? shade(*hit, x, y) : background.bilinear_radiance(ray.direction);
         }
+        progress.done(work(scene, camera, y));
     });
     return image;
 }

@@ -7,7 +7,8 @@ static ErrorRow row_of(const Integrand& integrand, std::size_t samples, std::siz
     ErrorSettings settings;
     settings.mc_estimates = mc;
     settings.bmc_estimates = bmc;
-    return error_rows({integrand}, samples, settings)[0];
+    Progress progress(1);
+    return error_rows({integrand}, samples, settings, progress)[0];
 }
 
 TEST_CASE("both methods' errors are those of estimates on the same directions") {
@@ -41,10 +42,11 @@ TEST_CASE("a row of which a later process is refused has no errors of those befo
     ErrorSettings settings;
     settings.covariance = CovarianceFamily::squared_exponential;
     settings.noise = 0;
+    Progress progress(1);
     for (const std::size_t estimates : {1u, 10u}) {
         settings.bmc_estimates = estimates;
         CAPTURE(estimates);
-        const ErrorRow row = error_rows({cosine_integrand}, 90, settings)[0];
+        const ErrorRow row = error_rows({cosine_integrand}, 90, settings, progress)[0];
         CHECK(row.refusal.empty() == (estimates == 1));
         CHECK(row.bmc.count == (estimates == 1));
         CHECK(row.predicted.count == row.bmc.count);

@@ -1,5 +1,4 @@
 #include "beyond/known_light_cost.h"
-#include "experiments/picture_error.h"
 #include "test.h"
 
 using namespace bmc::beyond;

@@ -1,39 +1,72 @@
 #include "experiments/picture_cost.h"
-#include "experiments/picture_error.h"
 #include "test.h"
 
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table has Monte Carlo's samples for the same error, and the efficiency") {
     const RenderSettings mc = small_picture(Method::mc, 40), pool = small_picture(Method::pool, 40);
-    CHECK(rows_of(picture_table({{mc, "nothing", 0.2, 0, 0, 0, 3}, {pool, "light", 0.1, 0, 0, 0, 6}}, true, " cell",
-                                {" 7", " 8"})) ==
+    PictureCost first{mc, "nothing", {}, {}, {}, 3}, second{pool, "light", {}, {}, {}, 6};
+    for (int seed = 0; seed < 2; ++seed) first.rmse.add(0.2), second.rmse.add(0.1);
+    CHECK(rows_of(picture_table({first, second}, true, " cell", {" 7", " 8"})) ==
           rows_of("mc 3 uniform nothing 40 0.20000 0.00000 0.0000 0.00000 40 7 3 1\n"
                   "pool 3 uniform light 40 0.10000 0.00000 0.0000 0.00000 160 8 6 2\n"));
 }
 
-TEST_CASE("errors are over seeds, in the order of settings and samples") {
+TEST_CASE("errors are over seeds") {
     const EnvironmentMap map = coloured_map(16, 9);
     CostSettings costs;
     costs.size = 6;
     costs.timed = false;
-    const std::vector<ComparedPicture> two{compared_pictures(map)[0], compared_pictures(map)[6]};
     const Image truth = reference_image(map, row_settings(costs, {}, 0), 10000);
-    const std::vector<PictureCost> rows = picture_costs(two, {3, 5}, costs, truth);
-    REQUIRE(rows.size() == 4);
-    CHECK(rows[0].settings.method == Method::mc);
-    CHECK(rows[1].settings.samples == 5);
-    CHECK(rows[2].settings.samples == 3);
+    const ComparedPicture pool = compared_pictures(map)[6];
+    RootMeanSquare rmse;
+    const PictureCost row = picture_cost(pool, 3, costs, truth, [&](const Image& image, const RenderSettings& s) {
+        CHECK(s.samples == 3);
+        CHECK(s.seed == 1 + rmse.squares.count);
+        CHECK(first_difference(image.pixels, picture(map, s).pixels) == "");
+        rmse.add(image_error(image, truth).rmse);
+    });
+    CHECK(row.settings.method == Method::pool);
+    CHECK(row.rmse.squares.count == 16);
+    CHECK(row.rmse.value() == rmse.value());
     costs.seed = 2;
-    const PictureCost other = picture_costs(two, {3}, costs, truth)[0];
-    CHECK(other.rmse != rows[0].rmse);
-    CHECK(other.settings.seed == rows[0].settings.seed + 1000);
+    const PictureCost other = picture_cost(pool, 3, costs, truth);
+    CHECK(other.rmse.value() != row.rmse.value());
+    CHECK(other.settings.seed == row.settings.seed + 1000);
 }
 
 TEST_CASE("a light that reaches nothing has no errors to compare") {
     const EnvironmentMap map = coloured_map(16, 9);
-    CHECK_THROWS_AS(picture_costs(compared_pictures(map), {3}, {}, Image(6, 6)), std::runtime_error);
+    CHECK_THROWS_AS(picture_cost(compared_pictures(map)[0], 3, {}, Image(6, 6)), std::runtime_error);
 }
 
 TEST_CASE("every call takes time") {
     CHECK(time_call([] {}) > 0);
+}
+
+// These differences are exact in binary.
+TEST_CASE("an image's error is its root mean square, its correlation and its brightness") {
+    const auto error_of = [](double even, double odd, double step) {
+        Image image(41, 40), truth(41, 40);  // the end of a row and the beginning of the next err in the same way
+        for (int i = 0; i < 1640; ++i) {
+            image(i % 41, i / 41) = ((i % 41 % 2 ? odd : even) + (i % 41 < 20 ? 0 : step)) * Color{1, 1, 1};
+            truth(i % 41, i / 41) = {0.5, 0.5, 0.5};
+        }
+        return image_error(image, truth);
+    };
+    CHECK(error_of(0.5, 0.5, 0).rmse == 0);
+    CHECK(error_of(0.25, 0.75, 0).rmse == 0.25);
+    const ImageError brighter = error_of(0.625, 0.625, 0);
+    CHECK(Numbers{brighter.rmse, brighter.correlation, brighter.brightness} ==
+          Numbers{0.125, 0, 0.25});  // a mean alone
+    CHECK(error_of(0.25, 0.75, 0).correlation < -0.99);
+    CHECK(error_of(0.25, 0.25, 0.5).correlation > 0.9);
+}
+
+TEST_CASE("the dense truth agrees with a picture by many directions") {
+    RenderSettings settings = small_picture(Method::mc, 100000, 10, Placement::fibonacci);
+    settings.threads = 2;
+    const EnvironmentMap map = coloured_map(16, 9);
+    const ImageError error = image_error(picture(map, settings), reference_image(map, settings, 10000));
+    CHECK(error.rmse < 0.01);
+    CHECK(std::fabs(error.brightness) < 1e-3);
 }

@@ -2,6 +2,7 @@
 
 #include "beyond/known_light/texels_on_sphere.h"
 #include "numerics/parallel.h"
+#include "numerics/progress.h"
 
 namespace bmc::beyond {
 Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
@@ -95,12 +96,14 @@ double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings
     const std::vector<PilotPixel> pixels = pilot_pixels(settings, rays);
     std::vector<double> squares(pixels.size());
     constexpr std::size_t block = 512;
+    Progress progress(static_cast<double>(pixels.size()));
     for_each_row(static_cast<int>((pixels.size() + block - 1) / block), settings.threads, [&](int number) {
         const std::size_t first = static_cast<std::size_t>(number) * block;
         for (std::size_t i = first; i < std::min(first + block, pixels.size()); ++i) {
             const auto& [x, y, hit] = pixels[i];
             squares[i] = squared_distance(picture(hit, x, y), better(hit, x, y));
         }
+        progress.done(block);
     });
     double sum = 0;
     for (const double square : squares) sum += square;
