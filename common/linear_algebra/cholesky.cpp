@@ -3,23 +3,23 @@
 #include "numerics/formatted.h"
 
 namespace bmc {
-// A pivot is a(m, m) less m products. Below m + 1 roundings of a(m, m) it may be nothing but rounding.
-double root_of_pivot(const Matrix& a, std::size_t m, double pivot) {
-    const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(a(m, m));
+// A pivot is a_mm less m products. Below m + 1 roundings of a_mm it may be nothing but rounding.
+double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot) {
+    const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(diagonal[m]);
     if (!(pivot > least))
         throw NotPositiveDefinite(
-            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g", a.rows(), m, pivot));
+            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g", diagonal.size(), m, pivot));
     return std::sqrt(pivot);
 }
 
 // BEGIN SOLUTION inverse
 // As soon as row m of U is known, its products u_mi u_mj are subtracted from all rows i below: each row has then had
-// its sum subtracted when its turn comes. The innermost loop runs along a row.
-static Matrix upper_factor(const Matrix& a) {
+// its sum subtracted when its turn comes. The innermost loop runs along a row. U takes the place of A.
+static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
     const std::size_t n = a.rows();
-    Matrix u = a;
+    Matrix u = std::move(a);
     for (std::size_t m = 0; m < n; ++m) {
-        u(m, m) = root_of_pivot(a, m, u(m, m));
+        u(m, m) = root_of_pivot(diagonal, m, u(m, m));
         for (std::size_t j = m + 1; j < n; ++j) u(m, j) /= u(m, m);
         for (std::size_t i = m + 1; i < n; ++i) {
             const double multiple = u(m, i);
@@ -31,9 +31,11 @@ static Matrix upper_factor(const Matrix& a) {
 }
 // END SOLUTION
 
-Cholesky::Cholesky(const Matrix& a) : upper_(0, 0) {
+Cholesky::Cholesky(Matrix a) : upper_(0, 0) {
     if (a.rows() != a.columns()) throw std::invalid_argument("cholesky: the matrix must be square");
-    upper_ = upper_factor(a);
+    std::vector<double> diagonal;
+    for (std::size_t m = 0; m < a.rows(); ++m) diagonal.push_back(a(m, m));
+    upper_ = upper_factor(std::move(a), diagonal);
 }
 
 // As in upper_factor: as soon as element m is known, its products are subtracted from all those below.

@@ -16,13 +16,14 @@ struct NotPositiveDefinite : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// u_mm: the square root of the pivot a_mm - sum over i < m of u_im^2. Throws NotPositiveDefinite.
-double root_of_pivot(const Matrix& a, std::size_t m, double pivot);
+// u_mm: the square root of the pivot a_mm - sum over i < m of u_im^2, with the a_mm of the diagonal of A. Throws
+// NotPositiveDefinite.
+double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot);
 
 class Cholesky {
 public:
     // Factors the symmetric n x n matrix A. Throws std::invalid_argument if it is not square, and NotPositiveDefinite.
-    explicit Cholesky(const Matrix& a);
+    explicit Cholesky(Matrix a);
 
     std::size_t size() const { return upper_.rows(); }
 
