@@ -11,8 +11,8 @@
 #include "light/load_environment.h"
 
 // The folder common/beyond brings more commands.
-#if __has_include("beyond/commands.h")
-#include "beyond/commands.h"
+#if __has_include("beyond/known_light_cost.h")
+#include "beyond/known_light_cost.h"
 #else
 namespace bmc::beyond {
 inline std::vector<Command> commands() { return {}; }

@@ -8,7 +8,7 @@ static ComparedPicture picture_of_known(const EnvironmentLight& light, Method me
                                         Placement placement) {
     ComparedPicture compared = compared_picture(light.environment, method, pool, placement, Known::cosine);
     compared.known = "light";
-    compared.image = [&light](const RenderSettings& settings) { return picture(light, {settings, true}); };
+    compared.image = [&light](const RenderSettings& settings) { return picture(light, settings); };
     return compared;
 }
 
@@ -36,14 +36,13 @@ Options KnownLightReport::options() {
 }
 
 std::string KnownLightReport::report() const {
-    std::vector<std::string> names{environment};
-    if (environment.empty()) names = {std::begin(built_in_lights), std::end(built_in_lights)};
+    const std::vector<std::string> names = one_or_built_in_lights(environment);
     std::string text;
     Progress progress(static_cast<double>(names.size()));
     for (const std::string& name : names) {
         const EnvironmentMap map = load_environment(name);
         const RenderSettings settings = row_settings(costs, {}, 0);
-        const EnvironmentLight light(map, true, settings.threads);
+        const EnvironmentLight light(map, true, settings.threads), unknown(map, false, settings.threads);
         const Image truth = truth_with_sun(map, settings, 10000);
         const std::vector<ComparedPicture> compared{
             compared_picture(map, Method::mc, 1, Placement::uniform),
@@ -57,13 +56,14 @@ std::string KnownLightReport::report() const {
         std::vector<std::string> cells;
         for (const ComparedPicture& each : compared)
             for (const std::size_t n : {10u, 40u}) {
+                const bool light_known = each.known == std::string("light");
+                const EnvironmentLight& light_of_picture = light_known ? light : unknown;
                 RootMeanSquare predicted;
                 Statistics covered;
                 rows.push_back(picture_cost(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
-                    const PictureSettings as_known{s, each.known == std::string("light")};
                     const Scene scene = sphere_scene();
                     const Image errors =
-                        predicted_errors(image, render(scene, map, s, better_shader(scene, light, as_known)));
+                        predicted_errors(image, render(scene, map, s, better_shader(scene, light_of_picture, s)));
                     predicted.add(root_mean_square(errors));
                     covered.add(coverage(image, truth, errors));
                 }));

@@ -20,4 +20,9 @@ struct KnownLightReport : Experiment {
     Options options() override;
     std::string report() const override;
 };
+
+// The commands of the workbench that go beyond the practice.
+inline std::vector<Command> commands() {
+    return {{"known-light", "what it saves to know the light", std::make_shared<KnownLightReport>()}};
+}
 }  // namespace bmc::beyond

@@ -15,24 +15,20 @@ static Image grey_scale(Image errors, double white) {
 }
 
 Options Request::options() {
-    Options all = options_with(enum_option("known", known_factor_names, known, known_remark));
+    Options all = PictureRequest::options();
+    Option& known_part = *std::find_if(all.begin(), all.end(), [](const Option& each) { return each.name == "known"; });
+    const std::string idle_with = known == KnownFactor::light ? "" : known_part.idle_with;  // light is for all methods
+    known_part = enum_option("known", known_factor_names, known, known_remark);
+    known_part.idle_with = idle_with;
+    if (rmse > 0) make_idle(all, {"samples"}, "--rmse");
     all.push_back(real_option("rmse", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9));
     all.push_back(enum_option("show", show_names, show, ": predicted errors, white at twice RMSE"));
     return all;
 }
 
-std::vector<IdleOption> Request::idle() const {
-    std::vector<IdleOption> idle = PictureRequest::idle();
-    if (known == KnownFactor::light)  // of all methods
-        idle.erase(std::remove_if(idle.begin(), idle.end(), [](const auto& each) { return each.name == "known"; }),
-                   idle.end());
-    if (rmse > 0) idle.push_back({"samples", "--rmse"});
-    return idle;
-}
-
 Image Request::image(const EnvironmentMap& map) const {
     const bool light_known = known == KnownFactor::light;
-    PictureSettings chosen{settings, light_known};
+    RenderSettings chosen = settings;
     chosen.known = known == KnownFactor::nothing ? Known::nothing : Known::cosine;
     const EnvironmentLight light(map, light_known, settings.threads);
     if (rmse > 0) {

@@ -20,7 +20,6 @@ struct Request : PictureRequest {
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 
     Options options() override;
-    std::vector<IdleOption> idle() const override;
 
     // Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many samples.
     Image image(const EnvironmentMap& map) const override;

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <set>
 
 namespace bmc {
 static std::string program_name = "bmc";  // in front of each line on stderr
@@ -29,6 +28,11 @@ Options joined(std::initializer_list<Options> lists) {
     Options all;
     for (const Options& each : lists) all.insert(all.end(), each.begin(), each.end());
     return all;
+}
+
+void make_idle(Options& options, std::initializer_list<std::string> names, const std::string& with) {
+    for (Option& each : options)
+        if (std::find(names.begin(), names.end(), each.name) != names.end()) each.idle_with = with;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -79,7 +83,7 @@ Arguments parse_options(int argc, char** argv, const Options& options) {
         if (found == '?' && optopt < first) throw std::invalid_argument(refusal(word, optopt, options));
         const Option& chosen = options[static_cast<std::size_t>((found < first ? optopt : found) - first)];
         apply(chosen, found, optarg ? optarg : "", optarg == word);
-        arguments.options.push_back(chosen.name);
+        arguments.options.insert(chosen.name);
     }
     arguments.rest.assign(argv + (optind < argc ? optind : argc), argv + argc);  // argc may be 0
     return arguments;
@@ -90,14 +94,6 @@ std::string describe(const Options& options) {
     for (const Option& each : options)
         text += formatted("  %-20s ", ("--" + each.name + ' ' + each.argument).c_str()) + each.description + '\n';
     return text;
-}
-
-// Prints a note for each of these options that changes nothing.
-static void note_idle(const std::vector<std::string>& given, const std::vector<IdleOption>& idle) {
-    for (const std::string& name : std::set<std::string>(given.begin(), given.end())) {
-        const auto found = std::find_if(idle.begin(), idle.end(), [&](const auto& each) { return each.name == name; });
-        if (found != idle.end()) print_note("note: --" + name + " changes nothing with " + found->because);
-    }
 }
 
 std::string run_command(const Command& command, const std::string& usage, int argc, char** argv) {
@@ -111,7 +107,9 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument("the picture would go to the terminal; type ./" + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
-    note_idle(given.options, command.experiment->idle());
+    for (const Option& each : command.experiment->options())
+        if (!each.idle_with.empty() && given.options.count(each.name) > 0)
+            print_note("note: --" + each.name + " changes nothing with " + each.idle_with);
     return command.experiment->report();
 }
 

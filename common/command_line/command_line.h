@@ -8,6 +8,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -25,19 +26,14 @@ struct Option {
     std::string argument;                         // what stands for its value in the help; empty if it takes none
     std::string description;                      // a line
     std::function<void(const std::string&)> set;  // throws std::invalid_argument
+    std::string idle_with = {};                   // "--covariance sobolev", if it changes nothing because of that
 };
 using Options = std::vector<Option>;
-
-// An option that changes nothing because of another one, as "length-scale" because of "--covariance sobolev".
-struct IdleOption {
-    std::string name, because;
-};
 
 // What a program can be asked for.
 struct Experiment {
     virtual ~Experiment() = default;
-    virtual Options options() = 0;                               // they set members of this object
-    virtual std::vector<IdleOption> idle() const { return {}; }  // with the values that these members have
+    virtual Options options() = 0;           // they set members of this object; idle with the values that these have
     virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
 };
 
@@ -51,9 +47,13 @@ struct Command {
 // The options of all these lists.
 Options joined(std::initializer_list<Options> lists);
 
+// The options of these names change nothing with another one.
+void make_idle(Options& options, std::initializer_list<std::string> names, const std::string& with);
+
 // The names of the options in argv, and the arguments that no option takes.
 struct Arguments {
-    std::vector<std::string> options, rest;
+    std::set<std::string> options;
+    std::vector<std::string> rest;
 };
 
 // Applies the options in argv. Throws std::invalid_argument that names the option.

@@ -11,15 +11,8 @@ constexpr std::uint64_t max_process_samples = 4096;
 // covariance, smoothness, length-scale, noise, known, placement, seed. They set the members of a struct, which must
 // outlive them and not move.
 Options model_options(ModelSettings& settings);
-
-// The same with another option --known, for a program that knows more.
-Options model_options(ModelSettings& settings, const Option& known);
+constexpr const char* known_remark = ": known part; sobolev 1.5 only";
 
 // samples: a list such as 10,20,40, each at most max_process_samples.
 Option sample_list_option(std::vector<std::size_t>& samples);
-
-// Those of them that change nothing with these settings.
-std::vector<IdleOption> idle_model_options(const ModelSettings& settings);
-
-constexpr const char* known_remark = ": known part; sobolev 1.5 only";
 }  // namespace bmc

@@ -13,7 +13,6 @@ struct Belief : Experiment {
     ModelSettings settings;
 
     Options options() override;
-    std::vector<IdleOption> idle() const override { return idle_model_options(settings); }
     std::string report() const override;
 };
 }  // namespace bmc

@@ -42,7 +42,6 @@ struct ErrorTables : Experiment {
     ErrorSettings settings;
 
     Options options() override;
-    std::vector<IdleOption> idle() const override { return idle_model_options(settings); }
     std::string report() const override;  // throws PartialOutput if a process is refused
 };
 }  // namespace bmc

@@ -91,19 +91,14 @@ Samples read_samples(std::istream& in) {
 }
 
 Options RuleReport::options() {
-    return joined(
+    Options all = joined(
         {Options{integer_option("samples", "N", "directions of the rule (default 40)", samples, max_process_samples),
                  text_option("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)",
                              directions),
                  {"matrices", "", "prints Q and its inverse, too", [this](const std::string&) { matrices = true; }}},
          model_options(settings)});
-}
-
-std::vector<IdleOption> RuleReport::idle() const {
-    std::vector<IdleOption> idle = idle_model_options(settings);
-    for (const char* drawn : {"samples", "placement", "seed"})
-        if (!directions.empty()) idle.push_back({drawn, "--directions"});
-    return idle;
+    if (!directions.empty()) make_idle(all, {"samples", "placement", "seed"}, "--directions");
+    return all;
 }
 
 std::string RuleReport::report() const {

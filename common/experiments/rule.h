@@ -27,7 +27,6 @@ struct RuleReport : Experiment {
     ModelSettings settings;
 
     Options options() override;
-    std::vector<IdleOption> idle() const override;
     std::string report() const override;
 };
 }  // namespace bmc

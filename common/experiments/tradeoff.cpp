@@ -86,8 +86,7 @@ Options TradeoffReport::options() {
 }
 
 std::string TradeoffReport::report() const {
-    std::vector<std::string> names{environment};
-    if (environment.empty()) names = {std::begin(built_in_lights), std::end(built_in_lights)};
+    const std::vector<std::string> names = one_or_built_in_lights(environment);
     Progress progress(static_cast<double>(names.size()));
     std::string text = costs.timed ? rule_report() : "";
     for (const std::string& name : names) {

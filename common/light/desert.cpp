@@ -1,5 +1,4 @@
-#include "light/desert.h"
-
+#include "light/load_environment.h"
 #include "numerics/parallel.h"
 
 namespace bmc {
@@ -123,7 +122,8 @@ static EnvironmentMap painted(unsigned threads) {
     return map;
 }
 
-EnvironmentMap desert(unsigned threads) { return painted<desert_color>(threads); }
-EnvironmentMap bright_desert(unsigned threads) { return painted<bright_desert_color>(threads); }
-EnvironmentMap black_and_white(unsigned threads) { return painted<black_and_white_color>(threads); }
+EnvironmentMap built_in_light(std::size_t number, unsigned threads) {
+    const auto lights = {painted<desert_color>, painted<bright_desert_color>, painted<black_and_white_color>};
+    return lights.begin()[number](threads);
+}
 }  // namespace bmc

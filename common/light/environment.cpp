@@ -1,21 +1,10 @@
 #include "light/environment.h"
 
-#include "numerics/formatted.h"
-
 #include <algorithm>
-#include <stdexcept>
 
 namespace bmc {
 EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
     : grid_{width, height}, rgb_(std::move(rgb)) {
-    const std::int64_t texels = std::int64_t{width} * height;
-    if (width < 1 || height < 1 || texels > max_texels || rgb_.size() != static_cast<std::size_t>(3 * texels))
-        throw std::invalid_argument(
-            formatted("environment map of %d x %d texels with %zu values: it takes 1 to %d, of three values each",
-                      width, height, rgb_.size(), max_texels));
-    for (const float radiance : rgb_)
-        if (!(radiance >= 0 && radiance <= FLT_MAX))
-            throw std::invalid_argument(formatted("environment map: %.9g is not a finite radiance >= 0", radiance));
     rgb_.insert(rgb_.begin(), 3, 0);  // texel 0
 }
 

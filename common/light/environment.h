@@ -24,8 +24,8 @@ class EnvironmentMap {
 public:
     static constexpr int max_texels = 1 << 26;
 
-    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top; finite and >= 0. Throws
-    // std::invalid_argument for anything else, also for more than max_texels.
+    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top; finite and >= 0. There are
+    // 1 to max_texels of them: read_radiance_hdr throws for anything else.
     EnvironmentMap(int width, int height, std::vector<float> rgb);
 
     // A black map, to be filled with set: finite radiance >= 0.

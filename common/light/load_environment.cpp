@@ -1,6 +1,5 @@
 #include "light/load_environment.h"
 
-#include "light/desert.h"
 #include "light/radiance_hdr.h"
 
 #include <fstream>
@@ -8,9 +7,8 @@
 
 namespace bmc {
 EnvironmentMap load_environment(const std::string& name, unsigned threads) {
-    if (name == built_in_lights[0]) return desert(threads);
-    if (name == built_in_lights[1]) return bright_desert(threads);
-    if (name == built_in_lights[2]) return black_and_white(threads);
+    for (std::size_t i = 0; i < std::size(built_in_lights); ++i)
+        if (name == built_in_lights[i]) return built_in_light(i, threads);
     std::ifstream file(name, std::ios::binary);
     if (!file)
         throw std::runtime_error(name + ": no file that can be read has this name, and no built-in light: they are " +

@@ -6,7 +6,19 @@
 #include <string>
 
 namespace bmc {
-constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};  // desert.h describes them
+// The built-in lights are maps of 1024 x 512 texels:
+// - desert: an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the arch;
+//   radiance in [0, 1].
+// - bright-desert: the same with a sun a thousand times as bright, as real suns are: it sends four fifths of the light.
+// - black-and-white: the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
+constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
+EnvironmentMap built_in_light(std::size_t number, unsigned threads = 1);
+
+// One light, or the built-in ones if the name is empty.
+inline std::vector<std::string> one_or_built_in_lights(const std::string& name) {
+    if (!name.empty()) return {name};
+    return {std::begin(built_in_lights), std::end(built_in_lights)};
+}
 
 // The help text of an option that takes the name of a light.
 constexpr const char* environment_help = "a Radiance .hdr file, bright-desert, black-and-white (default desert)";

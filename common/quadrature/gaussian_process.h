@@ -27,6 +27,7 @@ public:
     // w = Q^-1 z.
     const std::vector<double>& weights() const { return weights_; }
 
+    // The factor of Q.
     const Cholesky& cholesky() const { return cholesky_; }
 
     // Q^-1, n x n. An estimate does not need it.

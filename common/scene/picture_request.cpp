@@ -37,15 +37,11 @@ static void warn_of_exposure(const Image& image, double exposure) {
 PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
 
 Options PictureRequest::options() {
-    return options_with(enum_option("known", known_names, settings.known, known_remark));
-}
-
-Options PictureRequest::options_with(const Option& known) {
-    return joined(
+    Options all = joined(
         {Options{enum_option("method", method_names, settings.method),
                  integer_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
                  integer_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)},
-         model_options(settings, known),
+         model_options(settings),
          Options{{"size", "WxH", "in pixels, or W for a square (default 500x500)",
                   [this](const std::string& text) { set_size(settings, text); }},
                  text_option("environment", "FILE", environment_help, environment),
@@ -53,16 +49,12 @@ Options PictureRequest::options_with(const Option& known) {
                  enum_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
                  integer_option("threads", "T", "changes the time only (default: all processors)", settings.threads,
                                 256)}});
-}
-
-std::vector<IdleOption> PictureRequest::idle() const {
     const std::string method = std::string("--method ") + name_of(settings.method, method_names);
-    std::vector<IdleOption> idle = idle_model_options(settings);
-    for (const char* of_process : {"covariance", "smoothness", "length-scale", "noise", "known"})
-        if (settings.method == Method::mc) idle.push_back({of_process, method});
-    if (settings.method != Method::pool) idle.push_back({"pool", method});
-    if (format == Format::pfm) idle.push_back({"exposure", "--format pfm"});
-    return idle;
+    if (settings.method == Method::mc)
+        make_idle(all, {"covariance", "smoothness", "length-scale", "noise", "known"}, method);
+    if (settings.method != Method::pool) make_idle(all, {"pool"}, method);
+    if (format == Format::pfm) make_idle(all, {"exposure"}, "--format pfm");
+    return all;
 }
 
 std::string PictureRequest::report() const {

@@ -15,7 +15,6 @@ struct PictureRequest : Experiment {
     PictureRequest();  // on all processors
 
     Options options() override;
-    std::vector<IdleOption> idle() const override;
     std::string report() const override;  // the file
 
     // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
@@ -26,10 +25,6 @@ struct PictureRequest : Experiment {
 
     // The image as a file; a PPM has 2^exposure times the radiance.
     std::string file(Image image) const;
-
-protected:
-    // options() with another option --known.
-    Options options_with(const Option& known);
 };
 
 // Prints a warning on stderr if the error of these rules is more than twice that of Monte Carlo with as many samples in

@@ -87,10 +87,11 @@ TEST_CASE("a choice is one of the names of a table, which the help lists") {
 
 struct Echo : Experiment {
     std::string text, more;
-    Options options() override { return {text_option("text", "X", "what", text), text_option("more", "X", "", more)}; }
-    std::vector<IdleOption> idle() const override {
-        return text == "no" ? std::vector<IdleOption>{{"more", "--text no"}, {"text", "itself"}, {"other", ""}}
-                            : std::vector<IdleOption>{};
+    Options options() override {
+        Options all{text_option("text", "X", "what", text), text_option("more", "X", "", more)};
+        if (text == "no") make_idle(all, {"more", "other"}, "--text no");
+        if (text == "no") make_idle(all, {"text"}, "itself");
+        return all;
     }
     std::string report() const override { return text + more; }
 };

@@ -12,18 +12,6 @@ TEST_CASE("a map holds what it is made of, and texel 0 is black") {
     for (int i = 0; i <= 6; ++i) CHECK(EnvironmentMap(3, 2).color(i) == Vec3{0, 0, 0});
 }
 
-TEST_CASE("a map refuses sizes that do not match its values, and what is no radiance") {
-    const auto refusal = [](int width, int height, const std::vector<float>& rgb) {
-        return message_of([&] { EnvironmentMap(width, height, rgb); });
-    };
-    CHECK(refusal(2, 2, {1, 2, 3}) ==
-          "environment map of 2 x 2 texels with 3 values: it takes 1 to 67108864, of three values each");
-    CHECK(refusal(-1, -1, {1, 2, 3}) == Containing{"-1 x -1"});
-    CHECK(refusal(65536, 65536, {}) == Containing{"65536 x 65536"});
-    for (const float value : {-0.5f, HUGE_VALF, -HUGE_VALF, std::nanf("")})
-        CHECK(refusal(1, 1, {1, 1, value}) == Containing{formatted("environment map: %.9g is not", value)});
-}
-
 // The angles err by at most 2.3e-8.
 TEST_CASE("column and row are u (W - 1) and v (H - 1) by atan2 and acos, within 4e-6") {
     const TexelGrid grid{1024, 512};

@@ -32,7 +32,7 @@ TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
 // Equal weights on the cosine lattice, which the better picture has, are the best that the picture itself can have.
 TEST_CASE("a better picture has at most half of the error of the best, under a sun, too") {
     for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
-        const PictureSettings settings{small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci), false};
+        const RenderSettings settings = small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci);
         const Scene scene = sphere_scene();
         const Image truth = truth_with_sun(map, settings, 2000),
                     better = render(scene, map, settings, better_shader(scene, {map, false, 1}, settings));

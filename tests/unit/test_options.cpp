@@ -75,8 +75,8 @@ static void check_notes(const std::string& words) {
         Experiment experiment;
         bool same = false;
         if (!message_of([&] { same = bytes(with, experiment) == without; }).empty()) continue;
-        const std::vector<IdleOption> idle = experiment.idle();
-        const bool noted = std::any_of(idle.begin(), idle.end(), is_name);
+        const Options after = experiment.options();
+        const bool noted = !std::find_if(after.begin(), after.end(), is_name)->idle_with.empty();
         CAPTURE(words);
         CAPTURE(other);
         CHECK(noted == same);

@@ -4,7 +4,7 @@
 using namespace bmc::beyond;
 
 // By the definition: the root mean square of picture - better, over the pixels of a grid that show an object.
-static double rmse_by_better(const EnvironmentLight& light, const PictureSettings& settings, int first, int step) {
+static double rmse_by_better(const EnvironmentLight& light, const RenderSettings& settings, int first, int step) {
     const Scene scene = sphere_scene();
     const Image a = picture(light, settings),
                 b = render(scene, light.environment, settings, better_shader(scene, light, settings));
@@ -55,7 +55,7 @@ TEST_CASE("windows grow from 7 x 7 pixels to 15 x 15") {
 TEST_CASE("a pilot is a small picture, every k-th pixel of a large one, or as many as asked") {
     const EnvironmentMap map = coloured_map(16, 9), black(1, 1);
     const EnvironmentLight light(map, false, 1);
-    PictureSettings settings{small_picture(Method::rotated, 5, 60), false};
+    RenderSettings settings = small_picture(Method::rotated, 5, 60);
     CHECK(relative(pilot_rmse(light, settings, 0), rmse_by_better(light, settings, 0, 1)) < 1e-12);
     settings.width = settings.height = 300;
     const double half = rmse_by_better(light, settings, 1, 2), whole = rmse_by_better(light, settings, 0, 1);
@@ -72,7 +72,7 @@ TEST_CASE("a picture that is too dark is predicted to lack its light") {
     const EnvironmentMap map = coloured_map(64, 33);
     for (const bool light_known : {false, true}) {
         const EnvironmentLight light(map, light_known, 1);
-        PictureSettings dark{small_picture(Method::pool, 40, 24), light_known};
+        RenderSettings dark = small_picture(Method::pool, 40, 24);
         const double brightness = root_mean_square(picture(light, dark));
         dark.noise = 1000;
         const double predicted = rmse_by_better(light, dark, 0, 1);
@@ -92,7 +92,7 @@ TEST_CASE("the kurtosis of a light is that of its radiance over all directions")
 TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
     const EnvironmentMap map = coloured_map(64, 33);
     const EnvironmentLight light(map, false, 1);
-    PictureSettings settings{small_picture(Method::direct, 1, 24), false};
+    RenderSettings settings = small_picture(Method::direct, 1, 24);
     const Prediction chosen = samples_for(1.5, 1000, light, settings);
     settings.method = Method::pool;
     CHECK(samples_for(1.5, 1000, light, settings).samples == chosen.samples);
@@ -107,10 +107,9 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
 TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
     EnvironmentMap lamp = even_map(64, 32, 1);
     lamp.set(20, 8, {5000, 5000, 5000});
-    PictureSettings settings{small_picture(Method::mc, 2, 260), false};
+    RenderSettings settings = small_picture(Method::mc, 2, 260);
     for (const bool light_known : {false, true}) {
         CAPTURE(light_known);
-        settings.light_known = light_known;
         const EnvironmentLight light(lamp, light_known, 1);
         CHECK(samples_for(1e9, 4096, light, settings).rmse == pilot_rmse(light, settings, light_known ? 0 : 1e9));
         CHECK(pilot_rmse(light, settings, 0) != pilot_rmse(light, settings, 1e9));
@@ -120,10 +119,10 @@ TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
 TEST_CASE("the better picture has other random numbers") {
     const EnvironmentMap map = coloured_map(16, 9);
     const EnvironmentLight light(map, true, 1);
-    PictureSettings settings{small_picture(Method::pool, 5, 24), true};
+    RenderSettings settings = small_picture(Method::pool, 5, 24);
     const Scene scene = sphere_scene();
     const Image better = render(scene, map, settings, better_shader(scene, light, settings));
-    settings = {small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci), true};
+    settings = small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci);
     CHECK(better.pixels != picture(light, settings).pixels);
     ++settings.seed;
     CHECK(better.pixels == picture(light, settings).pixels);

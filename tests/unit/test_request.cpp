@@ -17,11 +17,10 @@ TEST_CASE("a request is a picture, its predicted errors, or the samples that an 
     const EnvironmentMap map = coloured_map(32, 17);
     for (const std::string known : {"nothing", "cosine", "light"}) {
         CAPTURE(known);
-        PictureSettings settings{small_picture(Method::pool, 10, 16), false};
+        RenderSettings settings = small_picture(Method::pool, 10, 16);
         settings.pool = 20;
-        settings.light_known = known == "light";
         settings.known = known == "nothing" ? Known::nothing : Known::cosine;
-        const EnvironmentLight light(map, settings.light_known, 1);
+        const EnvironmentLight light(map, known == "light", 1);
         const Scene scene = sphere_scene();
         const Image image = picture(light, settings),
                     errors =

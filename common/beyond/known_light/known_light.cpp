@@ -3,20 +3,25 @@
 #include <algorithm>
 
 namespace bmc::beyond {
+EnvironmentLight::EnvironmentLight(const EnvironmentMap& map, bool known, unsigned threads) : environment(map) {
+    if (known) averages = std::make_shared<const PrefilteredEnvironment>(map, threads);
+}
+
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
     if (light.sun().empty()) return 0;
     const double rays = 0.5 * light.sun().share() * static_cast<double>(samples);
     return std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
 }
 
-RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light) {
-    const std::size_t sun = sun_samples(light, settings.samples);
+PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings) {
+    const std::size_t sun = light.averages ? sun_samples(*light.averages, settings.samples) : 0;
     settings.samples = settings.samples > sun ? settings.samples - sun : 1;
-    return settings;
+    return PixelRules(settings);
 }
 
-Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule,
-                  const Frame& frame) {
+// The fraction of each colour of the sky's light that passes the other object.
+static Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule,
+                         const Frame& frame) {
     std::vector<int> all(rule.size()), visible(rule.size());  // texels; the black one in the shadow
     for (std::size_t i = 0; i < rule.size(); ++i) {
         const Vec3 direction = frame.to_world(rule.directions[i]);
@@ -32,8 +37,11 @@ Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hi
     return sky.fraction();
 }
 
-Shader known_light_shader(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
-                          std::size_t sun_rays) {
+Shader shader_of(const Scene& scene, const EnvironmentLight& any_light, const RenderSettings& settings,
+                 const PixelRules& rules) {
+    if (!any_light.averages) return environment_shader(scene, any_light.environment, rules);
+    const PrefilteredEnvironment& light = *any_light.averages;
+    const std::size_t sun_rays = sun_samples(light, settings.samples);
     const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(rules.settings().samples));
     return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
@@ -43,5 +51,10 @@ Shader known_light_shader(const Scene& scene, const PrefilteredEnvironment& ligh
         return 1 / portable::pi *
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
     };
+}
+
+Image picture(const EnvironmentLight& light, const RenderSettings& settings) {
+    const Scene scene = sphere_scene();
+    return render(scene, light.environment, settings, shader_of(scene, light, settings, rules_of(light, settings)));
 }
 }  // namespace bmc::beyond

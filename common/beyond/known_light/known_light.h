@@ -14,18 +14,28 @@
 #include "beyond/known_light/prefiltered_environment.h"
 #include "scene/render.h"
 
+#include <memory>
+
 namespace bmc::beyond {
-// The number of a pixel's samples that go to the sun: at least one, or none where there is no sun.
+// An environment, which must outlive it, and its averages, where it is to be known. Then the cosine is to be known,
+// too: the known part of the settings below is Known::cosine.
+struct EnvironmentLight {
+    const EnvironmentMap& environment;
+    std::shared_ptr<const PrefilteredEnvironment> averages = nullptr;
+
+    EnvironmentLight(const EnvironmentMap& map, bool known, unsigned threads);
+};
+
+// The number of a pixel's samples that go to the sun: at least one, or none where there is no sun. The rules for the
+// sky have the others, at least one.
 std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
 
-// The settings of the rules for the sky: without the sun's samples, but at least one.
-RenderSettings sky_settings(RenderSettings settings, const PrefilteredEnvironment& light);
+// The rules of a picture, and with them the colour of each of its points. Scene and light must outlive the latter. The
+// first throws what the Gaussian processes throw.
+PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings);
+Shader shader_of(const Scene& scene, const EnvironmentLight& light, const RenderSettings& settings,
+                 const PixelRules& rules);
 
-// The fraction of each colour of the sky's light that passes the other object.
-Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule,
-                  const Frame& frame);
-
-// L_o, linear RGB, by these rules for the sky and by `sun_rays` rays to the sun. Scene and light must outlive it.
-Shader known_light_shader(const Scene& scene, const PrefilteredEnvironment& light, const PixelRules& rules,
-                          std::size_t sun_rays);
+// The image of linear radiance. Throws as rules_of does.
+Image picture(const EnvironmentLight& light, const RenderSettings& settings);
 }  // namespace bmc::beyond

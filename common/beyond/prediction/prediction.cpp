@@ -20,13 +20,13 @@ Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSett
     };
 }
 
-Shader better_shader(const Scene& scene, const EnvironmentLight& light, PictureSettings settings) {
+Shader better_shader(const Scene& scene, const EnvironmentLight& light, RenderSettings settings) {
     const std::size_t samples = settings.samples;
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = 4 * samples;
     ++settings.seed;
-    if (settings.light_known) return shader_of(scene, light, settings, rules_of(light, settings));
+    if (light.averages) return shader_of(scene, light, settings, rules_of(light, settings));
     return shader_with_sun(scene, light.environment, settings, samples);
 }
 
@@ -89,7 +89,7 @@ static std::vector<PilotPixel> pilot_pixels(const RenderSettings& settings, doub
     }
 }
 
-double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings, double rays) {
+double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings, double rays) {
     const Scene scene = sphere_scene();
     const Shader picture = shader_of(scene, light, settings, rules_of(light, settings));
     const Shader better = better_shader(scene, light, settings);
@@ -128,9 +128,9 @@ double kurtosis(const EnvironmentMap& map) {
     return variance > 0 ? fourth / (variance * variance) : 1;
 }
 
-Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings) {
+Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, RenderSettings settings) {
     if (settings.method == Method::direct) settings.method = Method::pool;
-    const double rays = settings.light_known ? 0 : 256 * kurtosis(light.environment), limit = static_cast<double>(most);
+    const double rays = light.averages ? 0 : 256 * kurtosis(light.environment), limit = static_cast<double>(most);
     const auto predict = [&](double samples) {
         settings.samples = static_cast<std::size_t>(samples);
         return Prediction{samples, pilot_rmse(light, settings, rays)};

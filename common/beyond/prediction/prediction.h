@@ -8,7 +8,7 @@
 // knows it, too.
 #pragma once
 
-#include "beyond/known_light/picture.h"
+#include "beyond/known_light/known_light.h"
 
 namespace bmc::beyond {
 // The shader by the samples of these settings, with equal weights on the cosine lattice, and by this number of rays to
@@ -17,7 +17,7 @@ namespace bmc::beyond {
 Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays);
 
 // The shader of the better picture. Scene and light must outlive it.
-Shader better_shader(const Scene& scene, const EnvironmentLight& light, PictureSettings settings);
+Shader better_shader(const Scene& scene, const EnvironmentLight& light, RenderSettings settings);
 
 // The root mean square of picture - better around each pixel, colour by colour, over a window as far as that shows the
 // same object; 0 where no object is. Windows grow with the picture, from 7 x 7 pixels to 15 x 15 from 490 rows on, so
@@ -30,7 +30,7 @@ double root_mean_square(const Image& errors);
 // The predicted RMSE of a picture before it is rendered, by a pilot: every k-th pixel of every k-th row of this
 // picture, k a 128th of the width and of the height (at least 1). k is halved, down to 1, until the pilot traces at
 // least this number of rays. 0 if none of the pixels shows an object.
-double pilot_rmse(const EnvironmentLight& light, const PictureSettings& settings, double rays);
+double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings, double rays);
 
 // The mean of (L - mean of L)^4 over all directions, over the squared mean of (L - mean of L)^2, where L is R + G + B;
 // 1 if L is constant.
@@ -51,5 +51,5 @@ struct Prediction {
 // not missed.
 //
 // Throws what the Gaussian processes throw. The pilots of Method::direct have the rules of a pool, to save time.
-Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, PictureSettings settings);
+Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, RenderSettings settings);
 }  // namespace bmc::beyond
