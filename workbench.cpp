@@ -4,11 +4,11 @@
 
 #include "experiments/belief.h"
 #include "experiments/error_table.h"
+#include "experiments/light.h"
 #include "experiments/models.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
 #include "experiments/tradeoff.h"
-#include "light/load_environment.h"
 
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/known_light_cost.h")
@@ -20,20 +20,6 @@ inline std::vector<Command> commands() { return {}; }
 #endif
 
 using namespace bmc;
-
-// An environment as a PFM file, row 0 at the top.
-struct LightFile : Experiment {
-    std::string environment = built_in_lights[0];
-
-    Options options() override { return {text_option("environment", "FILE", environment_help, environment)}; }
-    std::string report() const override {
-        const EnvironmentMap map = load_environment(environment);
-        Image image(map.width(), map.height());
-        for (int y = 0; y < map.height(); ++y)
-            for (int x = 0; x < map.width(); ++x) image(x, y) = map.color(map.index(x, y));
-        return encode(image, Format::pfm);
-    }
-};
 
 static std::string run(int argc, char** argv) {
     std::vector<Command> commands{

@@ -1,7 +1,7 @@
 #include "beyond/known_light_cost.h"
 
 #include "light/load_environment.h"
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 namespace bmc::beyond {
 static ComparedPicture picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
@@ -29,10 +29,10 @@ double coverage(const Image& image, const Image& truth, const Image& predicted) 
 }
 
 Options KnownLightReport::options() {
-    Options all = cost_options(costs);
-    all.insert(all.begin(), text_option("environment", "FILE",
-                                        "one light, as for the renderer (default: each built-in light)", environment));
-    return all;
+    Options options;
+    options.add("environment", "FILE", one_environment_help, environment);
+    add_cost_options(options, costs);
+    return options;
 }
 
 std::string KnownLightReport::report() const {
@@ -73,7 +73,7 @@ std::string KnownLightReport::report() const {
         text += (text.empty() ? "" : "\n\n") + ("# The sphere scene under " + name) +
                 ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"
                 "# errors within two predicted ones.\n" +
-                picture_table(rows, costs.timed, "   predicted within", cells);
+                picture_table(rows, !costs.untimed, "   predicted within", cells);
     }
     return text;
 }

@@ -15,15 +15,13 @@ static Image grey_scale(Image errors, double white) {
 }
 
 Options Request::options() {
-    Options all = PictureRequest::options();
-    Option& known_part = *std::find_if(all.begin(), all.end(), [](const Option& each) { return each.name == "known"; });
-    const std::string idle_with = known == KnownFactor::light ? "" : known_part.idle_with;  // light is for all methods
-    known_part = enum_option("known", known_factor_names, known, known_remark);
-    known_part.idle_with = idle_with;
-    if (rmse > 0) make_idle(all, {"samples"}, "--rmse");
-    all.push_back(real_option("rmse", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9));
-    all.push_back(enum_option("show", show_names, show, ": predicted errors, white at twice RMSE"));
-    return all;
+    Options options = PictureRequest::options();
+    options.add("known", known_factor_names, known, known_remark);
+    if (settings.method == Method::mc && known != KnownFactor::light) options.make_idle({"known"}, "--method mc");
+    options.add("rmse", "X", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9);
+    options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
+    if (rmse > 0) options.make_idle({"samples"}, "--rmse");
+    return options;
 }
 
 Image Request::image(const EnvironmentMap& map) const {

@@ -7,12 +7,11 @@
 namespace bmc::beyond {
 // What a file shows of each point: the light that it reflects, or the error predicted for that light.
 enum class Show { picture, error };
-constexpr std::pair<const char*, Show> show_names[] = {{"picture", Show::picture}, {"error", Show::error}};
+constexpr const char* show_names[] = {"picture", "error"};
 
 // What is known of the integrand L(omega) v(omega) cos(theta).
 enum class KnownFactor { nothing, cosine, light };
-constexpr std::pair<const char*, KnownFactor> known_factor_names[] = {
-    {"nothing", KnownFactor::nothing}, {"cosine", KnownFactor::cosine}, {"light", KnownFactor::light}};
+constexpr const char* known_factor_names[] = {"nothing", "cosine", "light"};
 
 struct Request : PictureRequest {
     KnownFactor known = KnownFactor::nothing;

@@ -1,7 +1,6 @@
 #include "command_line/command_line.h"
 
-#include "linear_algebra/cholesky.h"
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 #include <fcntl.h>
 #include <getopt.h>
@@ -24,14 +23,48 @@ static void write_all(const std::string& output) {
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
 
-Options joined(std::initializer_list<Options> lists) {
-    Options all;
-    for (const Options& each : lists) all.insert(all.end(), each.begin(), each.end());
-    return all;
+void Options::add(Option option) {
+    for (Option& each : all)
+        if (each.name == option.name) return void(each = std::move(option));
+    all.push_back(std::move(option));
 }
 
-void make_idle(Options& options, std::initializer_list<std::string> names, const std::string& with) {
-    for (Option& each : options)
+void Options::add(const char* name, const char* argument, const std::string& description, std::string& text) {
+    add({name, argument, description, [&text](const std::string& value) { text = value; }});
+}
+
+void Options::add(const char* name, const char* description, bool& given) {
+    add({name, "", description, [&given](const std::string&) { given = true; }});
+}
+
+void Options::add(const char* name, const char* argument, const char* description, double& number, double low,
+                  double high) {
+    add({name, argument, description, [=, &number](const std::string& text) { number = parse_real(text, low, high); }});
+}
+
+void Options::add(const char* name, const char* argument, const char* description, std::size_t& number, std::size_t low,
+                  std::size_t high) {
+    add({name, argument, description,
+         [=, &number](const std::string& text) { number = static_cast<std::size_t>(parse_integer(text, low, high)); }});
+}
+
+void Options::add_choice(const char* name, const char* const* names, std::size_t count, std::size_t usual,
+                         const char* remark, const std::function<void(std::size_t)>& choose) {
+    const std::vector<std::string> all_names(names, names + count);
+    add({name, "NAME", listed(all_names) + " (default " + names[usual] + ")" + remark, [=](const std::string& text) {
+             const auto found = std::find(all_names.begin(), all_names.end(), text);
+             if (found == all_names.end()) throw std::invalid_argument("'" + text + "' is not " + listed(all_names));
+             choose(static_cast<std::size_t>(found - all_names.begin()));
+         }});
+}
+
+void Options::add_seed(std::uint64_t& seed) {
+    add({"seed", "K", "seed of the random numbers (default 1)",
+         [&seed](const std::string& text) { seed = parse_integer(text, 0, UINT64_MAX); }});
+}
+
+void Options::make_idle(std::initializer_list<std::string> names, const std::string& with) {
+    for (Option& each : all)
         if (std::find(names.begin(), names.end(), each.name) != names.end()) each.idle_with = with;
 }
 
@@ -49,7 +82,7 @@ static std::string refusal(const std::string& word, int letter, const Options& o
                "; options begin with two dashes, and --help lists them all";
     const std::string typed = word.substr(0, word.find('='));
     std::vector<std::string> meant;
-    for (const Option& each : options)
+    for (const Option& each : options.all)
         if (("--" + each.name).compare(0, typed.size(), typed) == 0) meant.push_back("--" + each.name);
     return meant.empty() ? "there is no option " + typed + "; --help lists them all"
                          : typed + " is ambiguous: " + listed(meant);
@@ -72,7 +105,7 @@ static void apply(const Option& option, int found, const std::string& value, boo
 Arguments parse_options(int argc, char** argv, const Options& options) {
     constexpr int first = 256;  // above all letters
     std::vector<option> table;
-    for (const Option& each : options)
+    for (const Option& each : options.all)
         table.push_back({each.name.c_str(), each.argument.empty() ? no_argument : required_argument, nullptr,
                          first + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
@@ -81,7 +114,7 @@ Arguments parse_options(int argc, char** argv, const Options& options) {
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         const char* const word = argv[optind - 1];
         if (found == '?' && optopt < first) throw std::invalid_argument(refusal(word, optopt, options));
-        const Option& chosen = options[static_cast<std::size_t>((found < first ? optopt : found) - first)];
+        const Option& chosen = options.all[static_cast<std::size_t>((found < first ? optopt : found) - first)];
         apply(chosen, found, optarg ? optarg : "", optarg == word);
         arguments.options.insert(chosen.name);
     }
@@ -91,7 +124,7 @@ Arguments parse_options(int argc, char** argv, const Options& options) {
 
 std::string describe(const Options& options) {
     std::string text;
-    for (const Option& each : options)
+    for (const Option& each : options.all)
         text += formatted("  %-20s ", ("--" + each.name + ' ' + each.argument).c_str()) + each.description + '\n';
     return text;
 }
@@ -99,7 +132,7 @@ std::string describe(const Options& options) {
 std::string run_command(const Command& command, const std::string& usage, int argc, char** argv) {
     bool help = false;
     Options options = command.experiment->options();
-    options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
+    options.add("help", "prints this text", help);
     const Arguments given = parse_options(argc, argv, options);
     if (help) return usage + '\n' + describe(options);
     if (!given.rest.empty())
@@ -107,7 +140,7 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument("the picture would go to the terminal; type ./" + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
-    for (const Option& each : command.experiment->options())
+    for (const Option& each : command.experiment->options().all)
         if (!each.idle_with.empty() && given.options.count(each.name) > 0)
             print_note("note: --" + each.name + " changes nothing with " + each.idle_with);
     return command.experiment->report();
@@ -158,8 +191,6 @@ int run_program(const char* name, const std::function<std::string()>& body) {
         return 0;
     } catch (const std::invalid_argument& error) {
         return fail(error.what(), 2);
-    } catch (const NotPositiveDefinite& error) {
-        return fail(error.what() + std::string(refusal_advice), 1);
     } catch (const std::bad_alloc&) {
         return fail("there is not enough memory; ask for fewer samples or pixels", 1);
     } catch (const std::exception& error) {

@@ -28,12 +28,34 @@ struct Option {
     std::function<void(const std::string&)> set;  // throws std::invalid_argument
     std::string idle_with = {};                   // "--covariance sobolev", if it changes nothing because of that
 };
-using Options = std::vector<Option>;
+
+// Options in the order of the help. They set members of an experiment, which must outlive them and not move.
+struct Options {
+    std::vector<Option> all;
+
+    // Adds an option, or puts it in the place of the one with its name.
+    void add(Option option);
+
+    // Adds one that sets a text, a switch, a number from low to high, or a value that has a name.
+    void add(const char* name, const char* argument, const std::string& description, std::string& text);
+    void add(const char* name, const char* description, bool& given);
+    void add(const char* name, const char* argument, const char* description, double& number, double low, double high);
+    void add(const char* name, const char* argument, const char* description, std::size_t& number, std::size_t low,
+             std::size_t high);
+    template <class T, std::size_t count>
+    void add(const char* name, const char* const (&names)[count], T& value, const char* remark = "");
+    void add_choice(const char* name, const char* const* names, std::size_t count, std::size_t usual,
+                    const char* remark, const std::function<void(std::size_t)>& choose);
+    void add_seed(std::uint64_t& seed);
+
+    // The options of these names change nothing with another one.
+    void make_idle(std::initializer_list<std::string> names, const std::string& with);
+};
 
 // What a program can be asked for.
 struct Experiment {
     virtual ~Experiment() = default;
-    virtual Options options() = 0;           // they set members of this object; idle with the values that these have
+    virtual Options options() = 0;           // idle with the values that the members have
     virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
 };
 
@@ -43,12 +65,6 @@ struct Command {
     std::shared_ptr<Experiment> experiment;
     std::string file = "";  // what its output goes to, if it is no text for a terminal
 };
-
-// The options of all these lists.
-Options joined(std::initializer_list<Options> lists);
-
-// The options of these names change nothing with another one.
-void make_idle(Options& options, std::initializer_list<std::string> names, const std::string& with);
 
 // The names of the options in argv, and the arguments that no option takes.
 struct Arguments {
@@ -70,49 +86,19 @@ std::string run_command(const Command& command, const std::string& usage, int ar
 double parse_real(const std::string& text, double low, double high);
 std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uint64_t high);
 
-// An enumeration stands beside one table of its names, std::pair<const char*, T>[], which options and reports read.
-
 // "mc, direct or pool".
 std::string listed(const std::vector<std::string>& names);
-template <class T, std::size_t count>
-std::string names_of(const std::pair<const char*, T> (&table)[count]) {
-    std::vector<std::string> names;
-    for (const auto& row : table) names.push_back(row.first);
-    return listed(names);
-}
 
-// The value with this name. Throws std::invalid_argument with the list of names.
+// An enumeration stands beside an array of its names, in the order of the enumerators, which options and reports read.
 template <class T, std::size_t count>
-T value_of(const std::string& wanted, const std::pair<const char*, T> (&table)[count]) {
-    for (const auto& [name, value] : table)
-        if (wanted == name) return value;
-    throw std::invalid_argument("'" + wanted + "' is not " + names_of(table));
+const char* name_of(T value, const char* const (&names)[count]) {
+    return names[static_cast<std::size_t>(value)];
 }
 
 template <class T, std::size_t count>
-const char* name_of(T wanted, const std::pair<const char*, T> (&table)[count]) {
-    for (const auto& [name, value] : table)
-        if (value == wanted) return name;
-    return "?";
-}
-
-// Options that set a value: a named one, a text, a real number in [low, high], a whole number in [1, high].
-template <class T, std::size_t count>
-Option enum_option(const char* name, const std::pair<const char*, T> (&table)[count], T& value,
-                   const std::string& remark = "") {
-    return {name, "NAME", names_of(table) + " (default " + name_of(value, table) + ")" + remark,
-            [&](const std::string& text) { value = value_of(text, table); }};
-}
-inline Option text_option(const char* name, const char* argument, const std::string& description, std::string& value) {
-    return {name, argument, description, [&value](const std::string& text) { value = text; }};
-}
-inline Option real_option(const char* name, const char* description, double& value, double low, double high) {
-    return {name, "X", description, [=, &value](const std::string& text) { value = parse_real(text, low, high); }};
-}
-template <class T>
-Option integer_option(const char* name, const char* argument, const char* description, T& value, std::uint64_t high) {
-    return {name, argument, description,
-            [&value, high](const std::string& text) { value = static_cast<T>(parse_integer(text, 1, high)); }};
+void Options::add(const char* name, const char* const (&names)[count], T& value, const char* remark) {
+    add_choice(name, names, count, static_cast<std::size_t>(value), remark,
+               [&value](std::size_t chosen) { value = static_cast<T>(chosen); });
 }
 
 // Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after std::invalid_argument,
@@ -122,7 +108,4 @@ int run_program(const char* name, const std::function<std::string()>& body);
 // Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
 // long text the middle is left out: it may quote options and files.
 void print_note(const std::string& text);
-
-// What to say after the message of a NotPositiveDefinite; run_program does.
-constexpr const char* refusal_advice = "; take the default covariance and noise, or --noise 0.1";
 }  // namespace bmc

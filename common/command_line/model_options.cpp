@@ -1,31 +1,31 @@
 #include "command_line/model_options.h"
 
-#include <sstream>
+#include <algorithm>
 
 namespace bmc {
-Options model_options(ModelSettings& s) {
-    Options all{enum_option("covariance", covariance_names, s.covariance),
-                real_option("smoothness", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, 1.001, 1.999),
-                real_option("length-scale", "of squared-exponential, from 0.05 (default 1)", s.length_scale, 0.05, 1e6),
-                real_option("noise", "standard deviation of a sample's error over the amplitude (default 0.01)",
-                            s.noise, 0, 1000),
-                enum_option("known", known_names, s.known, known_remark),
-                enum_option("placement", placement_names, s.placement),
-                {"seed", "K", "seed of the random numbers (default 1)",
-                 [&s](const std::string& text) { s.seed = parse_integer(text, 0, UINT64_MAX); }}};
-    make_idle(all, {s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness"},
-              std::string("--covariance ") + name_of(s.covariance, covariance_names));
-    return all;
+void add_model_options(Options& options, ModelSettings& s) {
+    options.add("covariance", covariance_names, s.covariance);
+    options.add("smoothness", "X", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, 1.001, 1.999);
+    options.add("length-scale", "X", "of squared-exponential, from 0.05 (default 1)", s.length_scale, 0.05, 1e6);
+    options.add("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)", s.noise, 0,
+                1000);
+    options.add("known", known_names, s.known, known_remark);
+    options.add("placement", placement_names, s.placement);
+    options.add_seed(s.seed);
+    options.make_idle({s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness"},
+                      std::string("--covariance ") + name_of(s.covariance, covariance_names));
 }
 
-Option sample_list_option(std::vector<std::size_t>& samples) {
+void add_sample_list(Options& options, std::vector<std::size_t>& samples) {
     std::string usual;
     for (const std::size_t n : samples) usual += (usual.empty() ? "" : ",") + std::to_string(n);
-    return {"samples", "LIST", "numbers of samples (default " + usual + ")", [&samples](const std::string& text) {
-                samples.clear();
-                std::istringstream words(text + ',');
-                for (std::string word; std::getline(words, word, ',');)
-                    samples.push_back(static_cast<std::size_t>(parse_integer(word, 1, max_process_samples)));
-            }};
+    options.add({"samples", "LIST", "numbers of samples (default " + usual + ")", [&samples](const std::string& text) {
+                     samples.clear();
+                     for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
+                         end = std::min(text.find(',', begin), text.size());
+                         const std::string number = text.substr(begin, end - begin);
+                         samples.push_back(static_cast<std::size_t>(parse_integer(number, 1, max_process_samples)));
+                     }
+                 }});
 }
 }  // namespace bmc

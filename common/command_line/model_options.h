@@ -6,13 +6,12 @@
 
 namespace bmc {
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
-constexpr std::uint64_t max_process_samples = 4096;
+constexpr std::size_t max_process_samples = 4096;
 
-// covariance, smoothness, length-scale, noise, known, placement, seed. They set the members of a struct, which must
-// outlive them and not move.
-Options model_options(ModelSettings& settings);
+// covariance, smoothness, length-scale, noise, known, placement, seed.
+void add_model_options(Options& options, ModelSettings& settings);
 constexpr const char* known_remark = ": known part; sobolev 1.5 only";
 
 // samples: a list such as 10,20,40, each at most max_process_samples.
-Option sample_list_option(std::vector<std::size_t>& samples);
+void add_sample_list(Options& options, std::vector<std::size_t>& samples);
 }  // namespace bmc

@@ -1,14 +1,12 @@
 #include "experiments/belief.h"
 
 #include "experiments/integrands.h"
-#include "numerics/parallel.h"
-#include "numerics/progress.h"
+#include "numerics/work.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 
 #include <algorithm>
 #include <numeric>
-#include <thread>
 
 namespace bmc {
 constexpr int disc = 200, subpixels = 3;  // pixels on a side of a disc; subpixels on a side of a pixel
@@ -28,14 +26,15 @@ static std::vector<Color> solved(const Cholesky& cholesky, std::vector<Color> co
 }
 
 Options Belief::options() {
-    return joined({Options{integer_option("samples", "N", "directions of the process (default 40)", samples, 400),
-                           text_option("environment", "FILE", environment_help, environment)},
-                   model_options(settings)});
+    Options options;
+    options.add("samples", "N", "directions of the process (default 40)", samples, 1, 400);
+    options.add("environment", "FILE", environment_help, environment);
+    add_model_options(options, settings);
+    return options;
 }
 
 std::string Belief::report() const {
-    const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-    const EnvironmentMap map = load_environment(environment, threads);
+    const EnvironmentMap map = load_environment(environment, processors());
     const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise,
@@ -46,8 +45,7 @@ std::string Belief::report() const {
         const Vec3 direction = frame.to_world(w);
         return is_shadowed(scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
     };
-    const Integrand incident{"", "", [&](Vec3 w) { return dot(luminance, light(w)) * known_part(settings.known, w); },
-                             0};
+    const Integrand incident{"", "", [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); }, 0};
     const std::vector<double> values = evaluate(incident, process.directions(), settings.known);
     print_note(formatted("estimate %.4f, standard error %.4f, truth %.4f", process.integral(values),
                          process.standard_error(values), reference_integral(incident)));
@@ -89,11 +87,11 @@ std::string Belief::report() const {
         if (number == 0) return light_and_samples(w, u, v);
         if (number == 1) return mean(w);
         if (number == 2) return error_scale * deviation(w) * white;
-        return error_scale * std::fabs(dot(luminance, mean(w) - light(w))) * white;
+        return error_scale * std::fabs(luminance(mean(w) - light(w))) * white;
     };
     Image image(4 * disc, disc);
     Progress progress(disc);
-    for_each_row(disc, threads, [&](int y) {
+    for_each_row(disc, processors(), [&](int y) {
         for (int i = 0; i < subpixels * subpixels * image.width; ++i) {
             const int x = i / (subpixels * subpixels), part = i % (subpixels * subpixels);
             const double u = x % disc + (part % subpixels + 0.5) / subpixels,

@@ -73,7 +73,7 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     } catch (const NotPositiveDefinite& refused) {
         for (ErrorRow& row : rows) {
             row.bmc = row.predicted = {};
-            row.refusal = refused.what() + std::string(refusal_advice);
+            row.refusal = refused.what();
         }
     }
     return rows;
@@ -90,13 +90,15 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 }
 
 Options ErrorTables::options() {
-    return joined({Options{text_option("integrand", "NAME", integrand_names() + " (default all)", integrand),
-                           sample_list_option(settings.samples),
-                           integer_option("mc-estimates", "M", "estimates of MC in a mean error (default 1000)",
-                                          settings.mc_estimates, 100000),
-                           integer_option("bmc-estimates", "M", "estimates of BMC in a mean error (default 1000)",
-                                          settings.bmc_estimates, 100000)},
-                   model_options(settings)});
+    Options options;
+    options.add("integrand", "NAME", integrand_names() + " (default all)", integrand);
+    add_sample_list(options, settings.samples);
+    options.add("mc-estimates", "M", "estimates of MC in a mean error (default 1000)", settings.mc_estimates, 1,
+                100000);
+    options.add("bmc-estimates", "M", "estimates of BMC in a mean error (default 1000)", settings.bmc_estimates, 1,
+                100000);
+    add_model_options(options, settings);
+    return options;
 }
 
 std::string ErrorTables::report() const {

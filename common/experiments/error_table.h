@@ -4,8 +4,8 @@
 
 #include "command_line/model_options.h"
 #include "experiments/integrands.h"
-#include "numerics/progress.h"
 #include "numerics/statistics.h"
+#include "numerics/work.h"
 
 namespace bmc {
 struct ErrorSettings : ModelSettings {

@@ -18,13 +18,13 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
     const Frame frame(normalize({0.3, 0.6, -0.7}));
     Integrand integrand{"environment", "L(omega) cos(theta), the built-in environment above a tilted surface", nullptr,
                         0};
-    integrand.value = [=](Vec3 omega) { return dot(luminance, light->radiance(frame.to_world(omega))) * omega.y; };
+    integrand.value = [=](Vec3 omega) { return luminance(light->radiance(frame.to_world(omega))) * omega.y; };
     integrand.truth = reference_integral(integrand);
     return integrand;
 }
 
 double reference_integral(const Integrand& integrand) {
-    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18), Density::uniform}), integrand);
+    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18), Known::nothing}), integrand);
 }
 
 std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {

@@ -21,8 +21,6 @@ struct Integrand {
 // workbench makes a table of each, and lists their names.
 const std::vector<Integrand>& practice_integrands();
 
-constexpr Color luminance{0.2126, 0.7152, 0.0722};  // Rec. 709
-
 // The luminance of a light times cos(theta) above a tilted surface. Its truth is reference_integral.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);
 

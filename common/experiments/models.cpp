@@ -1,7 +1,7 @@
 #include "experiments/models.h"
 
-#include "numerics/progress.h"
 #include "numerics/statistics.h"
+#include "numerics/work.h"
 #include "scene/scene.h"
 
 namespace bmc {
@@ -77,7 +77,7 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
         Integrand integrand{"scene", "L v cos(theta)", nullptr, 0};
         integrand.value = [light, scene, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
             const Vec3 omega = frame.to_world(local);
-            return is_shadowed(scene, hit, omega) ? 0 : dot(luminance, light->radiance(omega)) * local.y;
+            return is_shadowed(scene, hit, omega) ? 0 : luminance(light->radiance(omega)) * local.y;
         };
         integrand.truth = estimate(dense, integrand);
         integrands.push_back(integrand);
@@ -93,8 +93,10 @@ double log_evidence(const GaussianProcess& process, const std::vector<double>& v
 }
 
 Options ModelsReport::options() {
-    return {text_option("environment", "FILE", environment_help, environment),
-            integer_option("samples", "N", "directions of a process (default 40)", samples, 400)};
+    Options options;
+    options.add("environment", "FILE", environment_help, environment);
+    options.add("samples", "N", "directions of a process (default 40)", samples, 1, 400);
+    return options;
 }
 
 std::string ModelsReport::report() const {

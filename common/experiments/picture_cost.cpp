@@ -1,8 +1,8 @@
 #include "experiments/picture_cost.h"
 
+#include "numerics/work.h"
+
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
 namespace bmc {
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
@@ -27,20 +27,18 @@ static std::uint64_t seeds_of(const RenderSettings& settings) {
     return std::max<std::uint64_t>(16, 64 / settings.pool);
 }
 
-Options cost_options(CostSettings& costs) {
-    return {{"size", "W", "of the pictures, W x W pixels (default 64)",
-             [&](const std::string& text) { costs.size = static_cast<int>(parse_integer(text, 2, 1024)); }},
-            {"seed", "K", "seed of the random numbers (default 1)",
-             [&](const std::string& text) { costs.seed = parse_integer(text, 0, UINT64_MAX); }},
-            {"no-times", "", "leaves out what is measured and differs from run to run",
-             [&](const std::string&) { costs.timed = false; }}};
+void add_cost_options(Options& options, CostSettings& costs) {
+    options.add({"size", "W", "of the pictures, W x W pixels (default 64)",
+                 [&](const std::string& text) { costs.size = static_cast<int>(parse_integer(text, 2, 1024)); }});
+    options.add_seed(costs.seed);
+    options.add("no-times", "leaves out what is measured and differs from run to run", costs.untimed);
 }
 
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples) {
     settings.samples = samples;
     settings.seed = 1000 * (costs.seed - 1) + 1;
     settings.width = settings.height = costs.size;
-    settings.threads = std::max(1u, std::thread::hardware_concurrency());
+    settings.threads = processors();
     return settings;
 }
 
@@ -99,22 +97,6 @@ std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light) {
             compared_picture(light, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine)};
 }
 
-double time_call(const std::function<void()>& action) {
-    double fewest = HUGE_VAL;
-    for (int runs = 0, calls = 1; runs < 4;) {
-        const auto start = std::chrono::steady_clock::now();
-        for (int i = 0; i < calls; ++i) action();
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        if (seconds.count() < 2e-3) {
-            calls *= 2;
-        } else {
-            fewest = std::min(fewest, seconds.count() / calls);
-            ++runs;
-        }
-    }
-    return fewest;
-}
-
 PictureCost picture_cost(const ComparedPicture& picture, std::size_t samples, const CostSettings& costs,
                          const Image& truth, const std::function<void(const Image&, const RenderSettings&)>& examine) {
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
@@ -129,7 +111,7 @@ PictureCost picture_cost(const ComparedPicture& picture, std::size_t samples, co
         cost.correlation.add(error.correlation);
         if (examine) examine(image, settings);
     }
-    if (costs.timed) cost.seconds_per_megapixel = seconds_per_megapixel(picture, cost.settings);
+    if (!costs.untimed) cost.seconds_per_megapixel = seconds_per_megapixel(picture, cost.settings);
     return cost;
 }
 

@@ -9,11 +9,11 @@ namespace bmc {
 struct CostSettings {
     int size = 64;           // of the pictures, size x size pixels
     std::uint64_t seed = 1;  // picture i of seed k has the seed 1000 (k - 1) + i, i from 1
-    bool timed = true;
+    bool untimed = false;
 };
 
 // size, seed, no-times.
-Options cost_options(CostSettings& costs);
+void add_cost_options(Options& options, CostSettings& costs);
 
 // The picture by this number of directions on a lattice. Size, seed and threads are those of the settings.
 Image reference_image(const EnvironmentMap& light, RenderSettings settings, std::size_t samples);
@@ -60,7 +60,4 @@ PictureCost picture_cost(const ComparedPicture& picture, std::size_t samples, co
 // A line for each picture; the first pictures are classic Monte Carlo's. more: further cells of each line.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading = "",
                           const std::vector<std::string>& more = {});
-
-// The seconds of one call: the least of four measurements, which take at least 2 ms each.
-double time_call(const std::function<void()>& action);
 }  // namespace bmc

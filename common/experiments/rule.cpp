@@ -91,14 +91,13 @@ Samples read_samples(std::istream& in) {
 }
 
 Options RuleReport::options() {
-    Options all = joined(
-        {Options{integer_option("samples", "N", "directions of the rule (default 40)", samples, max_process_samples),
-                 text_option("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)",
-                             directions),
-                 {"matrices", "", "prints Q and its inverse, too", [this](const std::string&) { matrices = true; }}},
-         model_options(settings)});
-    if (!directions.empty()) make_idle(all, {"samples", "placement", "seed"}, "--directions");
-    return all;
+    Options options;
+    options.add("samples", "N", "directions of the rule (default 40)", samples, 1, max_process_samples);
+    options.add("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)", directions);
+    options.add("matrices", "prints Q and its inverse, too", matrices);
+    add_model_options(options, settings);
+    if (!directions.empty()) options.make_idle({"samples", "placement", "seed"}, "--directions");
+    return options;
 }
 
 std::string RuleReport::report() const {

@@ -1,6 +1,6 @@
 #include "experiments/stability.h"
 
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 #include <algorithm>
 

@@ -11,11 +11,7 @@
 
 namespace bmc {
 enum class SampleSet { random, duplicates, equator, pole, cluster };
-constexpr std::pair<const char*, SampleSet> sample_set_names[] = {{"random", SampleSet::random},
-                                                                  {"duplicates", SampleSet::duplicates},
-                                                                  {"equator", SampleSet::equator},
-                                                                  {"pole", SampleSet::pole},
-                                                                  {"cluster", SampleSet::cluster}};
+constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
 
 // n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
 // 1e-8 of one direction.

@@ -1,7 +1,7 @@
 #include "experiments/tradeoff.h"
 
 #include "light/load_environment.h"
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 #include <algorithm>
 #include <numeric>
@@ -79,16 +79,17 @@ static const char* const measured =
 )";
 
 Options TradeoffReport::options() {
-    return joined({Options{text_option("environment", "FILE",
-                                       "one light, as for the renderer (default: each built-in light)", environment),
-                           sample_list_option(samples)},
-                   cost_options(costs)});
+    Options options;
+    options.add("environment", "FILE", one_environment_help, environment);
+    add_sample_list(options, samples);
+    add_cost_options(options, costs);
+    return options;
 }
 
 std::string TradeoffReport::report() const {
     const std::vector<std::string> names = one_or_built_in_lights(environment);
     Progress progress(static_cast<double>(names.size()));
-    std::string text = costs.timed ? rule_report() : "";
+    std::string text = costs.untimed ? "" : rule_report();
     for (const std::string& name : names) {
         const EnvironmentMap light = load_environment(name);
         const Image truth = reference_image(light, row_settings(costs, {}, 0), 10000);
@@ -101,7 +102,7 @@ std::string TradeoffReport::report() const {
             }
         text += (name == names[0] ? "" : "\n\n") +
                 formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
-                name + ".\n" + meaning + (costs.timed ? measured : "") + picture_table(rows, costs.timed);
+                name + ".\n" + meaning + (costs.untimed ? "" : measured) + picture_table(rows, !costs.untimed);
     }
     return text;
 }

@@ -1,5 +1,5 @@
 #include "light/load_environment.h"
-#include "numerics/parallel.h"
+#include "numerics/work.h"
 
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
@@ -104,7 +104,7 @@ static Color black_and_white_color(Color, Vec3 d) { return d.x > 0 ? Color{1, 1,
 
 // The map of a light at the centres of texels: ground and sky, and what stands before them or in their place.
 template <Color light(Color, Vec3)>
-static EnvironmentMap painted(unsigned threads) {
+static EnvironmentMap painted(std::size_t threads) {
     constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
@@ -122,7 +122,7 @@ static EnvironmentMap painted(unsigned threads) {
     return map;
 }
 
-EnvironmentMap built_in_light(std::size_t number, unsigned threads) {
+EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
     const auto lights = {painted<desert_color>, painted<bright_desert_color>, painted<black_and_white_color>};
     return lights.begin()[number](threads);
 }

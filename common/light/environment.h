@@ -65,6 +65,9 @@ public:
     // their edges.
     Color bilinear_radiance(Vec3 direction) const;
 
+    // Between four texels: column u >= -1, where the last column repeats the first one, and row v.
+    Color interpolated(double u, double v) const;
+
 private:
     TexelGrid grid_;
     std::vector<float> rgb_;  // of texels 0, 1, ...

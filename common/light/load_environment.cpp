@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace bmc {
-EnvironmentMap load_environment(const std::string& name, unsigned threads) {
+EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
     for (std::size_t i = 0; i < std::size(built_in_lights); ++i)
         if (name == built_in_lights[i]) return built_in_light(i, threads);
     std::ifstream file(name, std::ios::binary);

@@ -12,7 +12,7 @@ namespace bmc {
 // - bright-desert: the same with a sun a thousand times as bright, as real suns are: it sends four fifths of the light.
 // - black-and-white: the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
 constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
-EnvironmentMap built_in_light(std::size_t number, unsigned threads = 1);
+EnvironmentMap built_in_light(std::size_t number, std::size_t threads = 1);
 
 // One light, or the built-in ones if the name is empty.
 inline std::vector<std::string> one_or_built_in_lights(const std::string& name) {
@@ -22,8 +22,9 @@ inline std::vector<std::string> one_or_built_in_lights(const std::string& name) 
 
 // The help text of an option that takes the name of a light.
 constexpr const char* environment_help = "a Radiance .hdr file, bright-desert, black-and-white (default desert)";
+constexpr const char* one_environment_help = "one light, as for the renderer (default: each built-in light)";
 
 // The built-in light of this name, or else the one in the .hdr file. threads: how many to use. Throws
 // std::runtime_error, one line that names the file.
-EnvironmentMap load_environment(const std::string& name = "desert", unsigned threads = 1);
+EnvironmentMap load_environment(const std::string& name = "desert", std::size_t threads = 1);
 }  // namespace bmc

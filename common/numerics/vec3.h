@@ -17,6 +17,7 @@ inline Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
 inline Color operator*(Color a, Color b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // channel by channel
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double luminance(Color c) { return dot({0.2126, 0.7152, 0.0722}, c); }  // Rec. 709
 inline double squared_distance(Vec3 a, Vec3 b) { return dot(a - b, a - b); }
 inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
 

@@ -8,14 +8,9 @@
 #pragma once
 
 #include "quadrature/closed_forms.h"
-
-#include <utility>
+#include "quadrature/hemisphere.h"
 
 namespace bmc {
-// The known part p of the integrand: 1, or cos(theta).
-enum class Known { nothing, cosine };
-constexpr std::pair<const char*, Known> known_names[] = {{"nothing", Known::nothing}, {"cosine", Known::cosine}};
-
 // A covariance has to define k and M alone. ModelSettings::make_covariance chooses one of the classes below.
 class Covariance {
 public:

@@ -57,11 +57,20 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
+static Cholesky factored(Matrix q) {
+    try {
+        return Cholesky(std::move(q));
+    } catch (const NotPositiveDefinite& error) {
+        throw NotPositiveDefinite(error.what() +
+                                  std::string("; take the default covariance and noise, or a noise of 0.1"));
+    }
+}
+
 // In the order of the members: each uses those before it.
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions)
     : directions_(checked(std::move(directions), noise)),
       z_(z_of(covariance, directions_)),
-      cholesky_(covariance_matrix(covariance, noise, directions_)),
+      cholesky_(factored(covariance_matrix(covariance, noise, directions_))),
       weights_(bayesian_weights(cholesky_, z_)),
       variance_(posterior_variance(covariance.zz(), z_, weights_)) {}
 

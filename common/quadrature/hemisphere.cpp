@@ -8,23 +8,23 @@ static Vec3 direction_at(double cos_theta, double turns) {
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
 
-std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density) {
+std::vector<Vec3> random_directions(std::size_t n, Random& random, Known density) {
     std::vector<Vec3> directions(n);
     for (Vec3& direction : directions) {
         const double u = 1 - random.uniform();
         const double turns = random.uniform();
-        direction = direction_at(density == Density::cosine ? std::sqrt(u) : u, turns);
+        direction = direction_at(density == Known::cosine ? std::sqrt(u) : u, turns);
     }
     return directions;
 }
 
-std::vector<Vec3> fibonacci_directions(std::size_t n, Density density) {
+std::vector<Vec3> fibonacci_directions(std::size_t n, Known density) {
     constexpr double golden = 0.61803398874989484820;  // 1 / golden ratio: the golden angle in turns
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double index = static_cast<double>(i);
         const double u = 1 - (index + 0.5) / static_cast<double>(n);
-        directions[i] = direction_at(density == Density::cosine ? std::sqrt(u) : u, index * golden);
+        directions[i] = direction_at(density == Known::cosine ? std::sqrt(u) : u, index * golden);
     }
     return directions;
 }

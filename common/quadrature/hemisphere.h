@@ -8,18 +8,23 @@
 #include <vector>
 
 namespace bmc {
-// The density of directions w.r.t. solid angle: 1 / (2 pi), or cos(theta) / pi.
-enum class Density { uniform, cosine };
+// What is known of a function of directions, its factor p: nothing, so that p is 1, or p = cos(theta).
+enum class Known { nothing, cosine };
+constexpr const char* known_names[] = {"nothing", "cosine"};
 
-// n independent directions. u is uniform in (0, 1]. cos(theta) = u gives the uniform density (Archimedes). cos(theta) =
-// sqrt(u), which is below c with the probability c^2, gives the density cos(theta) / pi (Malley's method). The cosine
-// is drawn first, then the azimuth.
-std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density = Density::uniform);
+// p(direction), and the integral of p over H.
+inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
+inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
+
+// n independent directions whose density is p over its integral. u is uniform in (0, 1]. cos(theta) = u gives the
+// density 1 / (2 pi) (Archimedes). cos(theta) = sqrt(u), which is below c with the probability c^2, gives the density
+// cos(theta) / pi (Malley's method). The cosine is drawn first, then the azimuth.
+std::vector<Vec3> random_directions(std::size_t n, Random& random, Known p = Known::nothing);
 
 // n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles
 // (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination integrals",
 // Computer Graphics Forum 2013, eq. 2).
-std::vector<Vec3> fibonacci_directions(std::size_t n, Density density = Density::uniform);
+std::vector<Vec3> fibonacci_directions(std::size_t n, Known p = Known::nothing);
 
 // The direction rotated about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);

@@ -8,12 +8,12 @@ static DirectionSet rotated(DirectionSet set, Random& random) {
 }
 
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
+    constexpr Known cosine = Known::cosine;
     switch (placement) {
-        case Placement::uniform: return {random_directions(n, random), Density::uniform};
-        case Placement::cosine: return {random_directions(n, random, Density::cosine), Density::cosine};
-        case Placement::fibonacci: return rotated({fibonacci_directions(n), Density::uniform}, random);
-        case Placement::cosine_fibonacci:
-            return rotated({fibonacci_directions(n, Density::cosine), Density::cosine}, random);
+        case Placement::uniform: return {random_directions(n, random)};
+        case Placement::cosine: return {random_directions(n, random, cosine), cosine};
+        case Placement::fibonacci: return rotated({fibonacci_directions(n)}, random);
+        case Placement::cosine_fibonacci: return rotated({fibonacci_directions(n, cosine), cosine}, random);
     }
     throw std::logic_error("a placement without directions");
 }
@@ -21,9 +21,8 @@ DirectionSet place_directions(Placement placement, std::size_t n, Random& random
 // BEGIN SOLUTION montecarlo
 QuadratureRule monte_carlo_rule(DirectionSet set) {
     const std::size_t n = set.directions.size();
-    const Known known = set.density == Density::cosine ? Known::cosine : Known::nothing;
-    const double weight = known_integral(known) / static_cast<double>(n);
-    return {std::move(set.directions), std::vector<double>(n, weight), known};
+    const double weight = known_integral(set.known) / static_cast<double>(n);
+    return {std::move(set.directions), std::vector<double>(n, weight), set.known};
 }
 // END SOLUTION
 
@@ -45,6 +44,15 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     }
     throw std::logic_error("a covariance without a class");
 }
+
+// BEGIN SOLUTION shade
+QuadratureRule cosine_rule(QuadratureRule rule) {
+    if (rule.known == Known::nothing)
+        for (std::size_t i = 0; i < rule.size(); ++i) rule.weights[i] *= rule.directions[i].y;
+    rule.known = Known::cosine;
+    return rule;
+}
+// END SOLUTION
 
 double relative_weight_sum(const QuadratureRule& rule) {
     double sum = 0;

@@ -18,44 +18,40 @@ struct QuadratureRule {
     std::size_t size() const { return weights.size(); }
 };
 
-// p(direction), and the integral of p over H.
-inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
-inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
-
 // How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
 // density cos(theta) / pi.
 enum class Placement { uniform, fibonacci, cosine, cosine_fibonacci };
-constexpr std::pair<const char*, Placement> placement_names[] = {{"uniform", Placement::uniform},
-                                                                 {"fibonacci", Placement::fibonacci},
-                                                                 {"cosine", Placement::cosine},
-                                                                 {"cosine-fibonacci", Placement::cosine_fibonacci}};
+constexpr const char* placement_names[] = {"uniform", "fibonacci", "cosine", "cosine-fibonacci"};
 
 // A lattice has the same directions each time, up to a rotation about the up axis.
 inline bool is_lattice(Placement placement) {
     return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
 }
 
-// Directions and their density.
+// Directions whose density is the known part p over its integral.
 struct DirectionSet {
     std::vector<Vec3> directions;
-    Density density = Density::uniform;
+    Known known = Known::nothing;
 };
 
 // A fresh set of n >= 1 directions: independent ones, or the lattice rotated by a random angle.
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
 
-// Monte Carlo: equal weights. For the density 1 / (2 pi) they are 2 pi / n. For the density cos(theta) / pi, the
-// estimate of the integral of f cos(theta) is the mean of f cos(theta) / density = pi f. So the weights are pi / n, and
-// the known part is cos(theta) (importance sampling). On a lattice this is quasi-Monte Carlo.
+// Monte Carlo: the estimate of the integral of f p is the mean of f p / density, which is f times the integral of p. So
+// the weights are equal: 2 pi / n for p = 1, and pi / n for p = cos(theta) (importance sampling). On a lattice this is
+// quasi-Monte Carlo.
 QuadratureRule monte_carlo_rule(DirectionSet set);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess. Throws as it does.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions);
 
+// The same rule with the known part cos(theta), which a picture needs: it integrates f cos(theta) from samples of f.
+// The cosine goes into the weights, unless it is there already.
+QuadratureRule cosine_rule(QuadratureRule rule);
+
 // Add a covariance here and to the table; the compiler then names the place in make_covariance.
 enum class CovarianceFamily { sobolev, squared_exponential };
-constexpr std::pair<const char*, CovarianceFamily> covariance_names[] = {
-    {"sobolev", CovarianceFamily::sobolev}, {"squared-exponential", CovarianceFamily::squared_exponential}};
+constexpr const char* covariance_names[] = {"sobolev", "squared-exponential"};
 
 // Settings of a rule, except its number of directions.
 struct ModelSettings {
@@ -80,11 +76,10 @@ double relative_weight_sum(const QuadratureRule& rule);
 // Statistics and Computing 2019).
 double stability_constant(const QuadratureRule& rule);
 
-// A picture takes the integral of L cos(theta), with the weights W_j = weights[j] cos(theta_j) if p = 1. Two worlds
-// show what they do. A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte
-// Carlo is 1 / sqrt(3 N) there. In a world of noise the samples are independent, and the variance of the estimate is
-// theirs times the sum of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of
-// both sums.
+// A picture takes the integral of L cos(theta), with the weights W_j of the cosine_rule. Two worlds show what they do.
+// A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte Carlo is 1 / sqrt(3
+// N) there. In a world of noise the samples are independent, and the variance of the estimate is theirs times the sum
+// of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of both sums.
 double white_brightness(const QuadratureRule& rule);
 double noise_gain(const QuadratureRule& rule);
 }  // namespace bmc

@@ -25,7 +25,7 @@ struct Image {
 double srgb_to_linear(double code);
 
 enum class Format { ppm, pfm };
-constexpr std::pair<const char*, Format> format_names[] = {{"ppm", Format::ppm}, {"pfm", Format::pfm}};
+constexpr const char* format_names[] = {"ppm", "pfm"};
 
 // The image as a file.
 // - ppm: binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].

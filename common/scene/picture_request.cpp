@@ -1,9 +1,9 @@
 #include "scene/picture_request.h"
 
 #include "numerics/statistics.h"
+#include "numerics/work.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {
@@ -34,27 +34,26 @@ static void warn_of_exposure(const Image& image, double exposure) {
                   exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2)));
 }
 
-PictureRequest::PictureRequest() { settings.threads = std::max(1u, std::thread::hardware_concurrency()); }
+PictureRequest::PictureRequest() { settings.threads = processors(); }
 
 Options PictureRequest::options() {
-    Options all = joined(
-        {Options{enum_option("method", method_names, settings.method),
-                 integer_option("samples", "N", "directions per pixel (default 40)", settings.samples, 1000000),
-                 integer_option("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1000)},
-         model_options(settings),
-         Options{{"size", "WxH", "in pixels, or W for a square (default 500x500)",
-                  [this](const std::string& text) { set_size(settings, text); }},
-                 text_option("environment", "FILE", environment_help, environment),
-                 real_option("exposure", "stops by which a PPM is brighter (default 0)", exposure, -100, 100),
-                 enum_option("format", format_names, format, ": 8-bit sRGB, or linear floats"),
-                 integer_option("threads", "T", "changes the time only (default: all processors)", settings.threads,
-                                256)}});
+    Options options;
+    options.add("method", method_names, settings.method);
+    options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, 1000000);
+    options.add("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1, 1000);
+    add_model_options(options, settings);
+    options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
+                 [this](const std::string& text) { set_size(settings, text); }});
+    options.add("environment", "FILE", environment_help, environment);
+    options.add("exposure", "X", "stops by which a PPM is brighter (default 0)", exposure, -100, 100);
+    options.add("format", format_names, format, ": 8-bit sRGB, or linear floats");
+    options.add("threads", "T", "changes the time only (default: all processors)", settings.threads, 1, 256);
     const std::string method = std::string("--method ") + name_of(settings.method, method_names);
     if (settings.method == Method::mc)
-        make_idle(all, {"covariance", "smoothness", "length-scale", "noise", "known"}, method);
-    if (settings.method != Method::pool) make_idle(all, {"pool"}, method);
-    if (format == Format::pfm) make_idle(all, {"exposure"}, "--format pfm");
-    return all;
+        options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, method);
+    if (settings.method != Method::pool) options.make_idle({"pool"}, method);
+    if (format == Format::pfm) options.make_idle({"exposure"}, "--format pfm");
+    return options;
 }
 
 std::string PictureRequest::report() const {

@@ -1,6 +1,6 @@
 #include "scene/pixel_rules.h"
 
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 namespace bmc {
 Random pixel_stream(const RenderSettings& settings, int x, int y) {

@@ -12,18 +12,14 @@ enum class Method {
     rotated,  // the same, its directions rotated at random about the normal in every pixel
     pool      // one of several Gaussian processes: a first random number chooses it, a second one rotates it
 };
-constexpr std::pair<const char*, Method> method_names[] = {{"mc", Method::mc},
-                                                           {"direct", Method::direct},
-                                                           {"single", Method::single},
-                                                           {"rotated", Method::rotated},
-                                                           {"pool", Method::pool}};
+constexpr const char* method_names[] = {"mc", "direct", "single", "rotated", "pool"};
 
 struct RenderSettings : ModelSettings {
     Method method = Method::pool;
     std::size_t samples = 40;  // directions per pixel
     std::size_t pool = 20;     // Gaussian processes in the pool
     int width = 500, height = 500;
-    unsigned threads = 1;  // changes no bit of the image
+    std::size_t threads = 1;  // changes no bit of the image
 };
 
 // The random stream of a pixel: no two pixels share one.

@@ -1,16 +1,6 @@
 #include "scene/reflection.h"
 
 namespace bmc {
-// cos(theta) goes into the weights, unless it is the rule's known part: then it is there already.
-// BEGIN SOLUTION shade
-QuadratureRule cosine_rule(QuadratureRule rule) {
-    if (rule.known == Known::nothing)
-        for (std::size_t i = 0; i < rule.size(); ++i) rule.weights[i] *= rule.directions[i].y;
-    rule.known = Known::cosine;
-    return rule;
-}
-// END SOLUTION
-
 // BEGIN SOLUTION shade
 // The same as one loop of
 //     if (!is_shadowed(scene, hit, direction)) irradiance += rule.weights[i] * environment.radiance(direction);

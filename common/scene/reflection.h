@@ -10,9 +10,6 @@
 #include "scene/scene.h"
 
 namespace bmc {
-// The same rule with the known part cos(theta): it integrates f cos(theta) from samples of f.
-QuadratureRule cosine_rule(QuadratureRule rule);
-
 // L_o, linear RGB, by a rule with the known part cos(theta), which the frame carries to the surface.
 Color reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
                          const QuadratureRule& rule, const Frame& frame);

@@ -1,7 +1,6 @@
 #include "scene/render.h"
 
-#include "numerics/parallel.h"
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 #include <algorithm>
 

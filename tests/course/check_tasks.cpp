@@ -288,9 +288,9 @@ void rule_values(const QuadratureRule& rule, const Frame& frame, double toleranc
 }
 
 void monte_carlo_rule_values() {
-    for (const Density density : {Density::uniform, Density::cosine})
+    for (const Known density : {Known::nothing, Known::cosine})
         for (const std::size_t n : {3u, 1u, 41u}) {
-            in = formatted(density == Density::uniform ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
+            in = formatted(density == Known::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
             samples = static_cast<double>(n);
             rule_values(monte_carlo_rule({directions_of(n), density}), upright, 1e-9, false);
         }
@@ -440,7 +440,7 @@ void shared_rules_values() {
     for (const Method method : {Method::single, Method::rotated, Method::pool})
         for (const std::size_t n : {3u, 20u}) {
             const PixelRules rules(settings_of(method, n));
-            const std::string name = method_names[static_cast<int>(method)].first;
+            const std::string name = name_of(method, method_names);
             in = "method " + name + formatted(", n = %zu: ", n);
             count("rules", rules.shared().size());
             for (std::size_t i = 0; i < rules.shared().size(); ++i) {

@@ -180,7 +180,7 @@ std::string run(int argc, char** argv, int& status) {
     PictureRequest request;
     bool help = false;
     Options options = request.options();
-    options.push_back({"help", "", "prints this text", [&](const std::string&) { help = true; }});
+    options.add("help", "prints this text", help);
     const std::vector<std::string> files = parse_options(argc, argv, options).rest;
     if (help)
         return "usage: build/judge PICTURE [options]     a PPM or PFM of the sphere scene\n\n"

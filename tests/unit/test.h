@@ -139,14 +139,19 @@ std::size_t count_enumerators(std::integer_sequence<int, numbers...>) {
     return (std::size_t{0} + ... + is_enumerator<Enumeration, static_cast<Enumeration>(numbers)>());
 }
 
-// Whether the table gives every enumerator (they count from 0) a name of its own.
+// Whether the array gives every enumerator (they count from 0) a name of its own.
 template <class Enumeration, std::size_t rows>
-bool names_all(const std::pair<const char*, Enumeration> (&table)[rows]) {
-    std::set<std::string> names;
-    std::set<Enumeration> values;
-    for (const auto& [name, value] : table) names.insert(name), values.insert(value);
-    return names.size() == rows && values.size() == rows &&
+bool names_all(const char* const (&table)[rows]) {
+    return std::set<std::string>(table, table + rows).size() == rows &&
            count_enumerators<Enumeration>(std::make_integer_sequence<int, 32>()) == rows;
+}
+
+// The names with their enumerators.
+template <class Enumeration, std::size_t rows>
+std::vector<std::pair<const char*, Enumeration>> named(const char* const (&names)[rows]) {
+    std::vector<std::pair<const char*, Enumeration>> all;
+    for (const char* name : names) all.push_back({name, static_cast<Enumeration>(all.size())});
+    return all;
 }
 
 inline std::vector<Vec3> some_directions(std::size_t n, std::uint64_t stream = 0) {

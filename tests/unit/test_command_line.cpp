@@ -1,30 +1,45 @@
 #include "command_line/command_line.h"
 #include "test.h"
 
-TEST_CASE("options take values in both spellings and leave the rest") {
+struct Values {
     std::string text;
     double real = 0;
-    int whole = 0, flags = 0;
-    const Options options =
-        joined({Options{text_option("text", "X", "", text), real_option("real", "", real, -1, 2.5)},
-                Options{integer_option("whole", "N", "", whole, 4096),
-                        {"flag", "", "", [&](const std::string& none) { flags += none.empty(); }}}});
-    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--wh", "4096", "--fla"}, options) ==
+    std::size_t whole = 0;
+    bool flag = false;
+    Options options;
+
+    Values() {
+        options.add("text", "X", "", text);
+        options.add("real", "X", "", real, -1, 2.5);
+        options.add("whole", "N", "", whole, 1, 4096);
+        options.add("flag", "", flag);
+    }
+};
+
+TEST_CASE("options take values in both spellings and leave the rest") {
+    const Values values;
+    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--wh", "4096"}, values.options) ==
           std::vector<std::string>{"rest"});
-    CHECK(text == "3");
-    CHECK(real == -0.5);
-    CHECK(whole == 4096);
-    CHECK(flags == 2);
+    CHECK(values.text == "3");
+    CHECK(values.real == -0.5);
+    CHECK(values.whole == 4096);
+    CHECK(values.flag);
+    CHECK(!Values().flag);
+}
+
+TEST_CASE("an option with a name that is there takes the other's place") {
+    Values values;
+    double other = 0;
+    values.options.add("real", "X", "", other, 0, 3);
+    CHECK(values.options.all.size() == 4);
+    parse({"--real=3"}, values.options);
+    CHECK(other == 3);
+    CHECK(values.options.all[1].name == "real");
 }
 
 TEST_CASE("a mistake in an option is a message that names it") {
-    std::string text;
-    double real = 0;
-    int whole = 0;
-    const Options options{text_option("text", "X", "", text),
-                          real_option("real", "", real, -1, 2.5),
-                          integer_option("whole", "N", "", whole, 4096),
-                          {"flag", "", "", [](const std::string&) {}}};
+    const Values values;
+    const Options& options = values.options;
     const auto mistake = [&](const std::vector<std::string>& words) {
         CHECK_THROWS_AS(parse(words, options), std::invalid_argument);
         return message_of([&] { parse(words, options); });
@@ -37,9 +52,9 @@ TEST_CASE("a mistake in an option is a message that names it") {
              {"--text"}, {"--tex"}, {"--text="}, {"--text", ""}, {"--text", "--flag"}, {"--text", "--"}})
         CHECK(mistake(words) == "--text needs a value; --help shows which");
     parse({"--text", "-"}, options);
-    CHECK(text == "-");
+    CHECK(values.text == "-");
     parse({"--text=--flag"}, options);
-    CHECK(text == "--flag");
+    CHECK(values.text == "--flag");
     CHECK(mistake({"--whole", "0"}) == "--whole: '0' is not a whole number from 1 to 4096");
     CHECK(mistake({"--real=3"}) == "--real: '3' is not a number from -1 to 2.5");
     CHECK(mistake({"--flag=1"}) == "--flag takes no value");
@@ -47,8 +62,8 @@ TEST_CASE("a mistake in an option is a message that names it") {
 
 TEST_CASE("an option may be shortened as long as one name begins so") {
     std::string text;
-    const Options alike{text_option("same", "X", "", text), text_option("seed", "X", "", text),
-                        text_option("seed-two", "X", "", text), text_option("other", "X", "", text)};
+    Options alike;
+    for (const char* name : {"same", "seed", "seed-two", "other"}) alike.add(name, "X", "", text);
     CHECK(message_of([&] { parse({"--s=1"}, alike); }) == "--s is ambiguous: --same, --seed or --seed-two");
     CHECK(parse({"--seed=1", "--sa=2"}, alike).empty());
     CHECK(text == "2");
@@ -68,30 +83,30 @@ TEST_CASE("numbers are read entirely or not at all") {
 }
 
 TEST_CASE("a choice is one of the names of a table, which the help lists") {
-    enum class Letter { a, b, c };
-    constexpr std::pair<const char*, Letter> table[] = {{"b", Letter::b}, {"a", Letter::a}, {"c", Letter::c}},
-                                             two[] = {{"a", Letter::a}, {"b", Letter::b}},
-                                             alike[] = {{"a", Letter::a}, {"b", Letter::b}, {"a", Letter::c}};
-    CHECK(names_all(table));
-    CHECK(!names_all(two));
-    CHECK(!names_all(alike));
-    CHECK(value_of("a", table) == Letter::a);
-    CHECK_THROWS_WITH_AS(value_of("d", table), "'d' is not b, a or c", std::invalid_argument);
+    enum class Letter { b, a, c };
+    constexpr const char *table[] = {"b", "a", "c"}, *two[] = {"b", "a"}, *alike[] = {"b", "a", "b"};
+    CHECK(names_all<Letter>(table));
+    CHECK(!names_all<Letter>(two));
+    CHECK(!names_all<Letter>(alike));
     CHECK(std::string(name_of(Letter::c, table)) == "c");
     Letter letter = Letter::b;
-    const Option choice = enum_option("letter", table, letter, "; a remark");
-    CHECK(describe({choice}) == "  --letter NAME        b, a or c (default b); a remark\n");
-    choice.set("c");
+    Options options;
+    options.add("letter", table, letter, "; a remark");
+    CHECK(describe(options) == "  --letter NAME        b, a or c (default b); a remark\n");
+    CHECK(message_of([&] { parse({"--letter=d"}, options); }) == "--letter: 'd' is not b, a or c");
+    parse({"--letter=c"}, options);
     CHECK(letter == Letter::c);
 }
 
 struct Echo : Experiment {
     std::string text, more;
     Options options() override {
-        Options all{text_option("text", "X", "what", text), text_option("more", "X", "", more)};
-        if (text == "no") make_idle(all, {"more", "other"}, "--text no");
-        if (text == "no") make_idle(all, {"text"}, "itself");
-        return all;
+        Options options;
+        options.add("text", "X", "what", text);
+        options.add("more", "X", "", more);
+        if (text == "no") options.make_idle({"more", "other"}, "--text no");
+        if (text == "no") options.make_idle({"text"}, "itself");
+        return options;
     }
     std::string report() const override { return text + more; }
 };

@@ -15,8 +15,8 @@ static double z_by_definition(const Covariance& covariance, double cosine) {
 }
 
 TEST_CASE("covariances and known parts have names") {
-    CHECK(names_all(covariance_names));
-    CHECK(names_all(known_names));
+    CHECK(names_all<CovarianceFamily>(covariance_names));
+    CHECK(names_all<Known>(known_names));
 }
 
 TEST_CASE("k is C - r^(2s - 2) with C = 2^(2s - 1) / s, or exp(-r^2 / 2 l^2)") {
@@ -39,7 +39,7 @@ TEST_CASE("k is C - r^(2s - 2) with C = 2^(2s - 1) / s, or exp(-r^2 / 2 l^2)") {
 
 // Names the place of a covariance that is only added to the table, and holds M and z of all of them to their k.
 TEST_CASE("the M and z of every covariance with a name agree with its k") {
-    for (const auto& row : covariance_names) {
+    for (const auto& row : named<CovarianceFamily>(covariance_names)) {
         const auto covariance = covariance_of(row.second, 1.5);
         INFO(row.first);
         for (const double b : {0.01, 0.7, 2.0}) {
@@ -104,7 +104,7 @@ TEST_CASE("parameters and known parts that a covariance cannot have are refused"
     CHECK_THROWS_WITH(GeneralSobolev(2), "the smoothness must lie between 1 and 2; it is 2");
     CHECK_THROWS_WITH(SquaredExponential(0), "the length-scale must be at least 0.05; it is 0");
     CHECK_THROWS_WITH(Sobolev().z(1.25), "cos(theta) must lie between 0 and 1; it is 1.25");
-    for (const auto& row : covariance_names)
+    for (const auto& row : named<CovarianceFamily>(covariance_names))
         for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})
             CHECK_THROWS_AS_MESSAGE(covariance_of(row.second, 1.4)->z(cosine), std::invalid_argument,
                                     row.first << cosine);

@@ -22,7 +22,7 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
         Random drawn(1, 0), here(1, 0);
         double counts[8][8] = {}, chi_square = 0, worst = 0, lowest = 1;
         for (const Vec3& d :
-             by_cosine ? random_directions(64000, drawn, Density::cosine) : random_directions(64000, drawn)) {
+             by_cosine ? random_directions(64000, drawn, Known::cosine) : random_directions(64000, drawn)) {
             const double u = 1 - here.uniform();
             worst = std::max(worst, distance(d, direction_from(by_cosine ? std::sqrt(u) : u, 2 * pi * here.uniform())));
             lowest = std::min(lowest, d.y);
@@ -39,7 +39,7 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
 }
 
 TEST_CASE("a lattice has the cosines 1 - (i + 1/2) / n or their roots, a golden angle apart") {
-    const std::vector<Vec3> uniform = fibonacci_directions(100), by_cosine = fibonacci_directions(100, Density::cosine);
+    const std::vector<Vec3> uniform = fibonacci_directions(100), by_cosine = fibonacci_directions(100, Known::cosine);
     for (std::size_t i = 0; i < 100; ++i) {
         const double index = static_cast<double>(i), u = 1 - (index + 0.5) / 100,
                      azimuth = pi * (std::sqrt(5) - 1) * index;

@@ -3,7 +3,8 @@
 
 TEST_CASE("the options of a model set its members, in the ranges of a process") {
     ModelSettings s;
-    const Options options = model_options(s);
+    Options options;
+    add_model_options(options, s);
     check_ranges(options,
                  {"--smoothness=1.001", "--length-scale=0.05", "--length-scale=1e6", "--noise=0", "--seed=0",
                   "--smoothness=1.999", "--noise=1000", "--seed=18446744073709551615",

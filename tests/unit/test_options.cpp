@@ -26,7 +26,7 @@ static void check_options(const std::vector<std::string>& usual, const std::set<
     std::vector<std::string> others = other_values;
     others.insert(others.end(), {"--directions=" + directions.name, "--environment=" + light.name});
     const std::string printed = output_of<Experiment>(usual);
-    for (const Option& each : Experiment().options()) {
+    for (const Option& each : Experiment().options().all) {
         if (skipped.count(each.name)) continue;
         CAPTURE(each.name);
         std::vector<std::string> words = usual;
@@ -68,14 +68,14 @@ static void check_notes(const std::string& words) {
     for (const std::string& other : others) {
         const std::string name = other.substr(2, other.find('=') - 2);
         const auto is_name = [&](const auto& each) { return each.name == name; };
-        const Options options = before.options();
+        const std::vector<Option> options = before.options().all;
         if (contains(words, "--" + name) || std::none_of(options.begin(), options.end(), is_name)) continue;
         std::vector<std::string> with = usual;
         with.push_back(other);
         Experiment experiment;
         bool same = false;
         if (!message_of([&] { same = bytes(with, experiment) == without; }).empty()) continue;
-        const Options after = experiment.options();
+        const std::vector<Option> after = experiment.options().all;
         const bool noted = !std::find_if(after.begin(), after.end(), is_name)->idle_with.empty();
         CAPTURE(words);
         CAPTURE(other);

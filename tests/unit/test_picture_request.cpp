@@ -12,7 +12,7 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture"
                   "--samples=1000001", "--pool=1001", "--threads=257", "--exposure=100.1", "--exposure=-100.1"});
     CHECK(s.method == Method::rotated);
     CHECK(std::vector{s.samples, s.pool} == std::vector<std::size_t>{1000000, 1000});
-    CHECK(Numbers{s.width + 0.0, s.height + 0.0, s.threads + 0.0} == Numbers{5, 6, 256});
+    CHECK(Numbers{s.width + 0.0, s.height + 0.0, static_cast<double>(s.threads)} == Numbers{5, 6, 256});
     CHECK(Numbers{s.noise, request.exposure} == Numbers{0.5, -100});
     CHECK(request.environment == "a.hdr");
     CHECK(request.format == Format::pfm);
@@ -23,7 +23,7 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture"
 
 TEST_CASE("more samples than a process can have are for Monte Carlo on a lattice") {
     PictureRequest request;
-    for (const auto& row : method_names)
+    for (const auto& row : named<Method>(method_names))
         for (const Placement placement : {Placement::uniform, Placement::fibonacci})
             for (const std::size_t samples : {4096u, 4097u}) {
                 request.settings = small_picture(row.second, samples, 12, placement);
@@ -137,7 +137,7 @@ TEST_CASE("the warning is about all shared rules, or about twenty fresh ones") {
 }
 
 TEST_CASE("the defaults give no warning at any number of samples and placement") {
-    for (const auto& row : placement_names)
+    for (const auto& row : named<Placement>(placement_names))
         for (const std::size_t samples : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 89u, 144u})
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {
                 RenderSettings settings = RenderSettings();

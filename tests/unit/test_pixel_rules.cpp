@@ -14,7 +14,7 @@ static QuadratureRule rule_from(const RenderSettings& s, Random& random) {
                                   : bayesian_rule(*s.make_covariance(), s.noise, set.directions);
 }
 
-TEST_CASE("methods have names") { CHECK(names_all(method_names)); }
+TEST_CASE("methods have names") { CHECK(names_all<Method>(method_names)); }
 
 TEST_CASE("a pixel's random stream has the number of the pixel, row after row") {
     RenderSettings settings = small_picture(Method::mc, 1, 1 << 17);
@@ -24,8 +24,8 @@ TEST_CASE("a pixel's random stream has the number of the pixel, row after row") 
 }
 
 TEST_CASE("pixels share as many rules as the method says, rule i from stream 2^63 + i") {
-    for (const auto& [method_name, method] : method_names)
-        for (const auto& [placement_name, placement] : placement_names) {
+    for (const auto& [method_name, method] : named<Method>(method_names))
+        for (const auto& [placement_name, placement] : named<Placement>(placement_names)) {
             RenderSettings settings = small_picture(method, 15, 12, placement);
             settings.seed = 3;
             const PixelRules rules(settings);
@@ -43,7 +43,7 @@ TEST_CASE("pixels share as many rules as the method says, rule i from stream 2^6
 
 TEST_CASE("a pixel has a fresh rule, a shared one, a turned one, or a chosen and turned one") {
     const Vec3 normal = normalize({0.3, -0.5, 0.8});
-    for (const auto& [method_name, method] : method_names)
+    for (const auto& [method_name, method] : named<Method>(method_names))
         for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci})
             for (std::uint64_t pixel = 0; pixel < 9; ++pixel) {
                 const PixelRules rules(small_picture(method, 5, 12, placement, Known::cosine));

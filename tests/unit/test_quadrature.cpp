@@ -24,21 +24,21 @@ TEST_CASE("white brightness and noise gain are those of the weights in a picture
         CHECK(relative(white_brightness(each), 0.9) < 1e-14);
         CHECK(relative(noise_gain(each), std::sqrt((4 + 2.56 + 0.25) * 9 / 4)) < 1e-14);
     }
-    const QuadratureRule lattice = monte_carlo_rule({fibonacci_directions(1000), Density::uniform});
+    const QuadratureRule lattice = monte_carlo_rule({fibonacci_directions(1000), Known::nothing});
     CHECK(relative(white_brightness(lattice), 1) < 1e-14);  // cosines in equal steps
     CHECK(relative(noise_gain(lattice), 1) < 1e-6);
 }
 
-TEST_CASE("placements have names") { CHECK(names_all(placement_names)); }
+TEST_CASE("placements have names") { CHECK(names_all<Placement>(placement_names)); }
 
 TEST_CASE("a placement is random directions, or a lattice turned by one random number") {
-    for (const auto& row : placement_names) {
+    for (const auto& row : named<Placement>(placement_names)) {
         const Placement placement = row.second;
         Random drawn(1, 2), here(1, 2);
         const DirectionSet placed = place_directions(placement, 10, drawn);
         const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
         const bool lattice = placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
-        const Density density = cosine ? Density::cosine : Density::uniform;
+        const Known density = cosine ? Known::cosine : Known::nothing;
         std::vector<Vec3> expected = lattice ? fibonacci_directions(10, density) : random_directions(10, here, density);
         const double turns = lattice ? here.uniform() : 0;
         if (lattice)
@@ -47,7 +47,7 @@ TEST_CASE("a placement is random directions, or a lattice turned by one random n
         CHECK(is_lattice(placement) == lattice);
         CHECK(placed.directions == expected);
         CHECK(drawn.bits() == here.bits());
-        CHECK(placed.density == density);
+        CHECK(placed.known == density);
     }
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("Monte Carlo has equal weights, and a Bayesian rule those of its proce
         for (const std::size_t n : {1u, 3u, 40u}) {
             const auto k = covariance_of(CovarianceFamily::sobolev, 1.5, known);
             const QuadratureRule mc = monte_carlo_rule(
-                                     {some_directions(n), known == Known::cosine ? Density::cosine : Density::uniform}),
+                                     {some_directions(n), known == Known::cosine ? Known::cosine : Known::nothing}),
                                  bayes = bayesian_rule(*k, 0.1, some_directions(n));
             INFO("known, n: ", known, ", ", n);
             CHECK(mc.known == known);

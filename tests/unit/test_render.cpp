@@ -21,7 +21,7 @@ TEST_CASE("a pixel shows the shade of what its ray meets, or the background inte
 TEST_CASE("a shade is the light that a point reflects by its pixel's rule and frame") {
     const Scene scene = test_scene();
     const EnvironmentMap map = coloured_map(16, 9);
-    for (const auto& row : method_names) {
+    for (const auto& row : named<Method>(method_names)) {
         const RenderSettings settings = small_picture(row.second, 7);
         const PixelRules rules(settings);
         const Shader shade = environment_shader(scene, map, rules);

@@ -39,8 +39,8 @@ TEST_CASE("a request is a picture, its predicted errors, or the samples that an 
 }
 
 TEST_CASE("what is shown, and what is known, has names") {
-    CHECK(names_all(show_names));
-    CHECK(names_all(known_factor_names));
+    CHECK(names_all<Show>(show_names));
+    CHECK(names_all<KnownFactor>(known_factor_names));
 }
 
 TEST_CASE("errors in a PPM are grey, white at twice their root mean square") {

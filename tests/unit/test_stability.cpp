@@ -1,7 +1,7 @@
 #include "experiments/stability.h"
 #include "test.h"
 
-TEST_CASE("sample sets have names") { CHECK(names_all(sample_set_names)); }
+TEST_CASE("sample sets have names") { CHECK(names_all<SampleSet>(sample_set_names)); }
 
 TEST_CASE("sample sets are random, doubled, on the rim, at the pole, or one small cluster") {
     const auto set = [](SampleSet which) { return sample_set(which, 10); };

@@ -1,7 +1,7 @@
 #include "beyond/known_light/irradiance_map.h"
 
 #include "beyond/known_light/texels_on_sphere.h"
-#include "numerics/parallel.h"
+#include "numerics/work.h"
 
 namespace bmc::beyond {
 // The cells that light is gathered in, and the cells of the table, which holds E at their corners.
@@ -32,7 +32,7 @@ static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
 }
 
 // E(n) is the sum of max(n . F, 0) over the fluxes F. Only cells cut by n's horizon are underestimated.
-IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads) : table_(columns + 1, rows + 1) {
+IrradianceMap::IrradianceMap(const EnvironmentMap& environment, std::size_t threads) : table_(columns + 1, rows + 1) {
     const std::vector<Vec3> flux = fluxes(environment);
     for_each_row(rows + 1, threads, [&](int row) {
         const portable::SineCosine polar = portable::sincos_turns(0.5 * row / rows);
@@ -55,11 +55,6 @@ IrradianceMap::IrradianceMap(const EnvironmentMap& environment, unsigned threads
 }
 
 Color IrradianceMap::operator()(Vec3 normal) const {
-    const double x = table_.grid().column(normal.x, normal.z), y = table_.grid().row(normal.y);
-    const int column = std::min(static_cast<int>(x), columns - 1), row = std::min(static_cast<int>(y), rows - 1);
-    const double right = x - column, down = y - row;
-    const auto corner = [&](int i, int j) { return table_.color(table_.index(column + j, row + i)); };
-    return (1 - down) * ((1 - right) * corner(0, 0) + right * corner(0, 1)) +
-           down * ((1 - right) * corner(1, 0) + right * corner(1, 1));
+    return table_.interpolated(table_.grid().column(normal.x, normal.z), table_.grid().row(normal.y));
 }
 }  // namespace bmc::beyond

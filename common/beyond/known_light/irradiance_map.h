@@ -10,7 +10,7 @@ namespace bmc::beyond {
 class IrradianceMap {
 public:
     // threads: how many to use.
-    explicit IrradianceMap(const EnvironmentMap& environment, unsigned threads = 1);
+    explicit IrradianceMap(const EnvironmentMap& environment, std::size_t threads = 1);
 
     // E(n) of a unit normal, linear RGB. The error is below 2e-3 of the largest E, if there is no sun (sun.h).
     Color operator()(Vec3 normal) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 namespace bmc::beyond {
-EnvironmentLight::EnvironmentLight(const EnvironmentMap& map, bool known, unsigned threads) : environment(map) {
+EnvironmentLight::EnvironmentLight(const EnvironmentMap& map, bool known, std::size_t threads) : environment(map) {
     if (known) averages = std::make_shared<const PrefilteredEnvironment>(map, threads);
 }
 

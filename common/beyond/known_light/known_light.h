@@ -23,7 +23,7 @@ struct EnvironmentLight {
     const EnvironmentMap& environment;
     std::shared_ptr<const PrefilteredEnvironment> averages = nullptr;
 
-    EnvironmentLight(const EnvironmentMap& map, bool known, unsigned threads);
+    EnvironmentLight(const EnvironmentMap& map, bool known, std::size_t threads);
 };
 
 // The number of a pixel's samples that go to the sun: at least one, or none where there is no sun. The rules for the

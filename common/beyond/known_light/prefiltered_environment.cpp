@@ -1,7 +1,7 @@
 #include "beyond/known_light/prefiltered_environment.h"
 
 #include "beyond/known_light/texels_on_sphere.h"
-#include "numerics/parallel.h"
+#include "numerics/work.h"
 #include "quadrature/hemisphere.h"
 
 #include <stdexcept>
@@ -36,7 +36,7 @@ const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
 
 }  // namespace
 
-PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, unsigned threads)
+PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
     : sun_(not_too_bright(map)),
       without_sun_(sun_.empty() ? std::nullopt : std::optional(sun_.sky())),
       sky_(without_sun_ ? *without_sun_ : map),
@@ -52,7 +52,7 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, unsign
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
 // lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
 EnvironmentMap PrefilteredEnvironment::average(const EnvironmentMap& finer, double solid_angle,
-                                               unsigned threads) const {
+                                               std::size_t threads) const {
     const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
     const std::vector<Vec3> local = cap_directions(solid_angle);
     const Color light = sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0});

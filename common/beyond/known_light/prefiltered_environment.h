@@ -10,7 +10,7 @@ namespace bmc::beyond {
 class PrefilteredEnvironment {
 public:
     // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
-    explicit PrefilteredEnvironment(const EnvironmentMap& map, unsigned threads = 1);
+    explicit PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads = 1);
     PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;
     PrefilteredEnvironment& operator=(const PrefilteredEnvironment&) = delete;
 
@@ -27,7 +27,7 @@ public:
     Color sun_irradiance(Vec3 normal) const { return sun_.irradiance(normal); }
 
 private:
-    EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, unsigned threads) const;
+    EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, std::size_t threads) const;
 
     struct Table {
         double solid_angle;  // of the caps that it averages over

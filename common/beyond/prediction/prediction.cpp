@@ -1,8 +1,7 @@
 #include "beyond/prediction/prediction.h"
 
 #include "beyond/known_light/texels_on_sphere.h"
-#include "numerics/parallel.h"
-#include "numerics/progress.h"
+#include "numerics/work.h"
 
 namespace bmc::beyond {
 Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
