@@ -28,11 +28,9 @@ double coverage(const Image& image, const Image& truth, const Image& predicted) 
     return within / all;
 }
 
-Options KnownLightReport::options() {
-    Options options;
+void KnownLightReport::add_options(Options& options) {
     options.add("environment", "FILE", one_environment_help, environment);
     add_cost_options(options, costs);
-    return options;
 }
 
 std::string KnownLightReport::report() const {

@@ -17,7 +17,7 @@ struct KnownLightReport : Experiment {
     std::string environment;  // empty: the built-in lights
     CostSettings costs;
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;
 };
 

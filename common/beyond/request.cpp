@@ -14,14 +14,13 @@ static Image grey_scale(Image errors, double white) {
     return errors;
 }
 
-Options Request::options() {
-    Options options = PictureRequest::options();
+void Request::add_options(Options& options) {
+    PictureRequest::add_options(options);
     options.add("known", known_factor_names, known, known_remark);
     if (settings.method == Method::mc && known != KnownFactor::light) options.make_idle({"known"}, "--method mc");
     options.add("rmse", "X", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
     if (rmse > 0) options.make_idle({"samples"}, "--rmse");
-    return options;
 }
 
 Image Request::image(const EnvironmentMap& map) const {
@@ -38,11 +37,10 @@ Image Request::image(const EnvironmentMap& map) const {
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
     }
-    const Scene scene = sphere_scene();
-    const PixelRules rules = rules_of(light, chosen);
-    if (!light_known) warn_of_weights(rules);  // a quotient of sums, where the light is known, has no such errors
-    Image image = render(scene, map, chosen, shader_of(scene, light, chosen, rules));
+    // A quotient of sums, where the light is known, has no errors that weights could be warned of.
+    Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen);
     if (show == Show::picture) return image;
+    const Scene scene = sphere_scene();
     Image errors = predicted_errors(image, render(scene, map, chosen, better_shader(scene, light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);

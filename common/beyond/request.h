@@ -18,7 +18,7 @@ struct Request : PictureRequest {
     Show show = Show::picture;
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 
-    Options options() override;
+    void add_options(Options& options) override;
 
     // Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many samples.
     Image image(const EnvironmentMap& map) const override;

@@ -55,7 +55,12 @@ struct Options {
 // What a program can be asked for.
 struct Experiment {
     virtual ~Experiment() = default;
-    virtual Options options() = 0;           // idle with the values that the members have
+    Options options() {
+        Options all;
+        add_options(all);
+        return all;
+    }
+    virtual void add_options(Options& options) = 0;  // they set members; idle with the values that these have
     virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
 };
 

@@ -5,8 +5,10 @@
 namespace bmc {
 void add_model_options(Options& options, ModelSettings& s) {
     options.add("covariance", covariance_names, s.covariance);
-    options.add("smoothness", "X", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, 1.001, 1.999);
-    options.add("length-scale", "X", "of squared-exponential, from 0.05 (default 1)", s.length_scale, 0.05, 1e6);
+    options.add("smoothness", "X", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, min_smoothness,
+                max_smoothness);
+    options.add("length-scale", "X", "of squared-exponential, from 0.05 (default 1)", s.length_scale, min_length_scale,
+                max_length_scale);
     options.add("noise", "X", "standard deviation of a sample's error over the amplitude (default 0.01)", s.noise, 0,
                 1000);
     options.add("known", known_names, s.known, known_remark);

@@ -25,12 +25,10 @@ static std::vector<Color> solved(const Cholesky& cholesky, std::vector<Color> co
     return colors;
 }
 
-Options Belief::options() {
-    Options options;
+void Belief::add_options(Options& options) {
     options.add("samples", "N", "directions of the process (default 40)", samples, 1, 400);
     options.add("environment", "FILE", environment_help, environment);
     add_model_options(options, settings);
-    return options;
 }
 
 std::string Belief::report() const {

@@ -12,7 +12,7 @@ struct Belief : Experiment {
     std::string environment = built_in_lights[0];
     ModelSettings settings;
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;
 };
 }  // namespace bmc

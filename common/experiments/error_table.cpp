@@ -89,8 +89,7 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
     return text;
 }
 
-Options ErrorTables::options() {
-    Options options;
+void ErrorTables::add_options(Options& options) {
     options.add("integrand", "NAME", integrand_names() + " (default all)", integrand);
     add_sample_list(options, settings.samples);
     options.add("mc-estimates", "M", "estimates of MC in a mean error (default 1000)", settings.mc_estimates, 1,
@@ -98,7 +97,6 @@ Options ErrorTables::options() {
     options.add("bmc-estimates", "M", "estimates of BMC in a mean error (default 1000)", settings.bmc_estimates, 1,
                 100000);
     add_model_options(options, settings);
-    return options;
 }
 
 std::string ErrorTables::report() const {

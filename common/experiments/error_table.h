@@ -41,7 +41,7 @@ struct ErrorTables : Experiment {
     std::string integrand;  // empty: all
     ErrorSettings settings;
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;  // throws PartialOutput if a process is refused
 };
 }  // namespace bmc

@@ -24,8 +24,8 @@ double parameter_of(const ModelSettings& model) {
     return model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
 }
 
-// The results of a model on the integrands, over the sets of directions. The errors at the points of one set are not
-// independent, so a set gives one number of each kind.
+// Of a model on the integrands, over the sets of directions. The errors at the points of one set are not independent,
+// so a set gives one number of each kind.
 struct ModelResults {
     RootMeanSquare error, predicted;
     Statistics evidence;  // per point
@@ -36,17 +36,16 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
         const GaussianProcess process(*covariance, model.noise, directions_of_estimate({}, samples, set).directions);
-        RootMeanSquare error, predicted;
-        Statistics evidence;
+        ModelResults of_set;
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = evaluate(integrand, process.directions());
-            error.add(process.integral(values) - integrand.truth);
-            predicted.add(process.standard_error(values));
-            if (process.amplitude(values) > 0) evidence.add(log_evidence(process, values));  // zeros fit every model
+            of_set.error.add(process.integral(values) - integrand.truth);
+            of_set.predicted.add(process.standard_error(values));
+            if (process.amplitude(values) > 0) of_set.evidence.add(log_evidence(process, values));  // zeros fit all
         }
-        all.error.add(error.value());
-        all.predicted.add(predicted.value());
-        all.evidence.add(evidence.mean);
+        all.error.add(of_set.error.value());
+        all.predicted.add(of_set.predicted.value());
+        all.evidence.add(of_set.evidence.mean);
     }
     return all;
 }
@@ -92,11 +91,9 @@ double log_evidence(const GaussianProcess& process, const std::vector<double>& v
     return -static_cast<double>(values.size()) * portable::log(process.amplitude(values)) - half_log_determinant;
 }
 
-Options ModelsReport::options() {
-    Options options;
+void ModelsReport::add_options(Options& options) {
     options.add("environment", "FILE", environment_help, environment);
     options.add("samples", "N", "directions of a process (default 40)", samples, 1, 400);
-    return options;
 }
 
 std::string ModelsReport::report() const {

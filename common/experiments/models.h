@@ -21,7 +21,7 @@ struct ModelsReport : Experiment {
     std::string environment = built_in_lights[0];
     std::size_t samples = 40;
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;
 };
 }  // namespace bmc

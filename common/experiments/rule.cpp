@@ -90,14 +90,12 @@ Samples read_samples(std::istream& in) {
     return samples;
 }
 
-Options RuleReport::options() {
-    Options options;
+void RuleReport::add_options(Options& options) {
     options.add("samples", "N", "directions of the rule (default 40)", samples, 1, max_process_samples);
     options.add("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)", directions);
     options.add("matrices", "prints Q and its inverse, too", matrices);
     add_model_options(options, settings);
     if (!directions.empty()) options.make_idle({"samples", "placement", "seed"}, "--directions");
-    return options;
 }
 
 std::string RuleReport::report() const {

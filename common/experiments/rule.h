@@ -26,7 +26,7 @@ struct RuleReport : Experiment {
     bool matrices = false;
     ModelSettings settings;
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;
 };
 }  // namespace bmc

@@ -28,7 +28,7 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
 
 // What `workbench stability` prints.
 struct StabilityReport : Experiment {
-    Options options() override { return {}; }
+    void add_options(Options&) override {}
     std::string report() const override;
 };
 }  // namespace bmc

@@ -78,12 +78,10 @@ static const char* const measured =
 # that relative to mc.
 )";
 
-Options TradeoffReport::options() {
-    Options options;
+void TradeoffReport::add_options(Options& options) {
     options.add("environment", "FILE", one_environment_help, environment);
     add_sample_list(options, samples);
     add_cost_options(options, costs);
-    return options;
 }
 
 std::string TradeoffReport::report() const {

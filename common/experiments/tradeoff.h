@@ -15,7 +15,7 @@ struct TradeoffReport : Experiment {
     std::vector<std::size_t> samples{10, 40};
     CostSettings costs;
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;
 };
 }  // namespace bmc

@@ -17,11 +17,8 @@ formatted(const char* format, ...) {
     va_list arguments, same;
     va_start(arguments, format);
     va_copy(same, arguments);
-    std::string text(200, ' ');
-    const auto length = static_cast<std::size_t>(std::vsnprintf(text.data(), text.size() + 1, format, arguments));
-    const bool fits = length <= text.size();
-    text.resize(length);
-    if (!fits) std::vsnprintf(text.data(), length + 1, format, same);
+    std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), ' ');
+    std::vsnprintf(text.data(), text.size() + 1, format, same);
     va_end(same);
     va_end(arguments);
     return text;

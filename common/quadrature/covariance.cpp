@@ -30,14 +30,16 @@ double Covariance::zz() const {
 }
 
 GeneralSobolev::GeneralSobolev(double s) : exponent_(s - 1), constant_(portable::pow(2, 2 * s - 1) / s), zz_(0) {
-    if (!(s > 1 && s < 2))
-        throw std::invalid_argument(formatted("the smoothness must lie between 1 and 2; it is %.9g", s));
+    if (!(s >= min_smoothness && s <= max_smoothness))
+        throw std::invalid_argument(
+            formatted("the smoothness must lie from %g to %g; it is %.9g", min_smoothness, max_smoothness, s));
     zz_ = Covariance::zz();
 }
 
 SquaredExponential::SquaredExponential(double l) : kappa_(1 / (l * l)), zz_(0) {
-    if (!(l >= 0.05 && l <= DBL_MAX))
-        throw std::invalid_argument(formatted("the length-scale must be at least 0.05; it is %.9g", l));
+    if (!(l >= min_length_scale && l <= max_length_scale))
+        throw std::invalid_argument(
+            formatted("the length-scale must lie from %g to %g; it is %.9g", min_length_scale, max_length_scale, l));
     zz_ = Covariance::zz();
 }
 }  // namespace bmc

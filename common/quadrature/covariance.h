@@ -49,8 +49,9 @@ public:
     Known known() const override { return Known::cosine; }
 };
 
-// Sobolev of any smoothness s in (1, 2): k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
+// Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
 // Womersley, "QMC designs", Mathematics of Computation 2014).
+constexpr double min_smoothness = 1.001, max_smoothness = 1.999;
 class GeneralSobolev final : public Covariance {
 public:
     explicit GeneralSobolev(double smoothness);  // throws std::invalid_argument for one outside of this range
@@ -66,11 +67,12 @@ private:
     double zz_;                   // made once
 };
 
-// k(r) = exp(-r^2 / 2 l^2) of length-scale l >= 0.05. Its functions have all derivatives. Below 0.05, e^(-1 / l^2)
-// comes close to underflow.
+// k(r) = exp(-r^2 / 2 l^2) of length-scale l. Its functions have all derivatives. Below 0.05, e^(-1 / l^2) comes close
+// to underflow; above 1e6, k is 1 for all directions.
+constexpr double min_length_scale = 0.05, max_length_scale = 1e6;
 class SquaredExponential final : public Covariance {
 public:
-    explicit SquaredExponential(double length_scale);  // throws std::invalid_argument for one below 0.05
+    explicit SquaredExponential(double length_scale);  // throws std::invalid_argument for one outside of this range
 
     double k(double squared_chord) const override { return portable::exp(-0.5 * kappa_ * squared_chord); }
     double cap_mean(double height) const override { return exponential_mean(kappa_ * height); }

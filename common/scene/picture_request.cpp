@@ -36,8 +36,7 @@ static void warn_of_exposure(const Image& image, double exposure) {
 
 PictureRequest::PictureRequest() { settings.threads = processors(); }
 
-Options PictureRequest::options() {
-    Options options;
+void PictureRequest::add_options(Options& options) {
     options.add("method", method_names, settings.method);
     options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, 1000000);
     options.add("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1, 1000);
@@ -53,7 +52,6 @@ Options PictureRequest::options() {
         options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, method);
     if (settings.method != Method::pool) options.make_idle({"pool"}, method);
     if (format == Format::pfm) options.make_idle({"exposure"}, "--format pfm");
-    return options;
 }
 
 std::string PictureRequest::report() const {
@@ -68,12 +66,7 @@ void PictureRequest::require_possible() const {
             formatted("--samples: %zu are too many, at most 4096 but for --method mc on a lattice", settings.samples));
 }
 
-Image PictureRequest::image(const EnvironmentMap& light) const {
-    const Scene scene = sphere_scene();
-    const PixelRules rules(settings);
-    warn_of_weights(rules);
-    return render(scene, light, settings, environment_shader(scene, light, rules));
-}
+Image PictureRequest::image(const EnvironmentMap& light) const { return warned_picture(light, settings); }
 
 std::string PictureRequest::file(Image image) const {
     if (format == Format::ppm) {
@@ -82,6 +75,13 @@ std::string PictureRequest::file(Image image) const {
         warn_of_exposure(image, exposure);
     }
     return encode(image, format);
+}
+
+Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings) {
+    const Scene scene = sphere_scene();
+    const PixelRules rules(settings);
+    warn_of_weights(rules);
+    return render(scene, light, settings, environment_shader(scene, light, rules));
 }
 
 void warn_of_weights(const PixelRules& rules) {

@@ -14,7 +14,7 @@ struct PictureRequest : Experiment {
 
     PictureRequest();  // on all processors
 
-    Options options() override;
+    void add_options(Options& options) override;
     std::string report() const override;  // the file
 
     // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
@@ -26,6 +26,9 @@ struct PictureRequest : Experiment {
     // The image as a file; a PPM has 2^exposure times the radiance.
     std::string file(Image image) const;
 };
+
+// The image of linear radiance, after warnings on stderr. Throws what the Gaussian processes throw.
+Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings);
 
 // Prints a warning on stderr if the error of these rules is more than twice that of Monte Carlo with as many samples in
 // one of two worlds, a white one or one of noise (white_brightness, noise_gain): in the mean over the shared rules, or

@@ -100,13 +100,11 @@ TEST_CASE("a choice is one of the names of a table, which the help lists") {
 
 struct Echo : Experiment {
     std::string text, more;
-    Options options() override {
-        Options options;
+    void add_options(Options& options) override {
         options.add("text", "X", "what", text);
         options.add("more", "X", "", more);
         if (text == "no") options.make_idle({"more", "other"}, "--text no");
         if (text == "no") options.make_idle({"text"}, "itself");
-        return options;
     }
     std::string report() const override { return text + more; }
 };

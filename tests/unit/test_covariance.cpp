@@ -101,8 +101,8 @@ TEST_CASE("parameters and known parts that a covariance cannot have are refused"
     for (const double s : {1.0, 2.0, nan_value}) CHECK_THROWS_AS_MESSAGE(GeneralSobolev{s}, std::invalid_argument, s);
     for (const double l : {0.0499999, nan_value, infinity})
         CHECK_THROWS_AS_MESSAGE(SquaredExponential{l}, std::invalid_argument, l);
-    CHECK_THROWS_WITH(GeneralSobolev(2), "the smoothness must lie between 1 and 2; it is 2");
-    CHECK_THROWS_WITH(SquaredExponential(0), "the length-scale must be at least 0.05; it is 0");
+    CHECK_THROWS_WITH(GeneralSobolev(2), "the smoothness must lie from 1.001 to 1.999; it is 2");
+    CHECK_THROWS_WITH(SquaredExponential(0), "the length-scale must lie from 0.05 to 1e+06; it is 0");
     CHECK_THROWS_WITH(Sobolev().z(1.25), "cos(theta) must lie between 0 and 1; it is 1.25");
     for (const auto& row : named<CovarianceFamily>(covariance_names))
         for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})

@@ -63,3 +63,23 @@ TEST_CASE("the sun has no part in the sky's means and irradiance") {
     CHECK(light.sun_irradiance(to_sun) == Sun(map).irradiance(to_sun));
     CHECK(dim.sun().empty());
 }
+
+// The integral of (1 + w.d) cos(theta) is pi + (2 pi / 3) n.d.
+TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any size of map") {
+    const Vec3 d{0.48, -0.64, 0.6};
+    const EnvironmentMap linear_map = map_of(301, 151, [&](int x, int y) {
+        return Color{1 + dot(towards((x + 0.5) / 300, (y + 0.5) / 150), d), 1, 0};
+    });
+    const EnvironmentMap texel_map = even_map(1, 1, 1), column_map = even_map(1, 7, 1);
+    const PrefilteredEnvironment linear(linear_map, 2), one_texel(texel_map), one_column(column_map);
+    std::vector<Vec3> normals = all_around(100);
+    normals.insert(normals.end(),
+                   {{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, normalize({1e-6, 0, 1}), normalize({-1e-6, 0, 1})});
+    for (const Vec3& n : normals) {
+        CAPTURE(n);
+        CHECK(std::fabs(linear.sky_irradiance(n).x - (pi + 2 * pi / 3 * dot(n, d))) < 1e-3 * 5 * pi / 3);
+        for (const double even :
+             {linear.sky_irradiance(n).y, one_texel.sky_irradiance(n).z, one_column.sky_irradiance(n).x})
+            CHECK(relative(even, pi) < 1e-3);
+    }
+}

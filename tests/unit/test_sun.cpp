@@ -1,5 +1,5 @@
 #include "beyond/known_light/sun.h"
-#include "beyond/known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
 #include "test.h"
 
 using namespace bmc::beyond;
@@ -7,7 +7,7 @@ using namespace bmc::beyond;
 TEST_CASE("the sun is the texels of more than a hundred times the mean radiance") {
     EnvironmentMap map = even_map(64, 32, 1);
     const int place = map.index(50, 10);
-    const double part = TexelsOnSphere(map, 1, 1).solid_angle(10) / (4 * pi);
+    const double part = TexelsOnSphere(map).solid_angle(10) / (4 * pi);
     const double threshold = 100 * (1 - part) / (1 - 100 * part);  // 100 (part radiance + 1 - part)
     for (const double radiance : {0.999 * threshold, 1.001 * threshold}) {
         map.set(50, 10, {radiance, radiance, radiance});

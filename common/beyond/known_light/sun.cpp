@@ -1,20 +1,8 @@
 #include "beyond/known_light/sun.h"
 
-#include "beyond/known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
 
 namespace bmc::beyond {
-static double brightness(Color c) { return c.x + c.y + c.z; }
-
-static double all_light(const TexelsOnSphere& texels) {
-    double sum = 0;
-    for (int row = 0; row < texels.rows(); ++row) {
-        Color of_row;
-        for (int column = 0; column < texels.columns(); ++column) of_row += texels(row, column);
-        sum += texels.solid_angle(row) * brightness(of_row);
-    }
-    return sum;
-}
-
 // The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
 // order are a compact piece of the map, so the edge of a shadow crosses few of the rays' strata.
 static std::uint64_t z_order(int row, int column) {
@@ -24,8 +12,9 @@ static std::uint64_t z_order(int row, int column) {
     return order;
 }
 
-Sun::Sun(const EnvironmentMap& map, double threshold) : map_(map), all_(all_light(TexelsOnSphere(map, 1, 1))) {
-    const TexelsOnSphere texels(map, 1, 1);
+Sun::Sun(const EnvironmentMap& map, double threshold)
+    : map_(map), all_(4 * portable::pi * TexelsOnSphere(map).mean(brightness)) {
+    const TexelsOnSphere texels(map);
     const double least = threshold * all_ / (4 * portable::pi);
     for (int row = 0; row < texels.rows(); ++row)
         for (int column = 0; column < texels.columns(); ++column) {
@@ -49,7 +38,7 @@ Sun::Ray Sun::ray(double across, double down) const {
     const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
                                         [](double light, const Texel& each) { return light < each.light; });
     const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
-    const TexelsOnSphere texels(map_, 1, 1);
+    const TexelsOnSphere texels(map_);
     const double top = texels.polar(texel->row).cosine, bottom = texels.polar(texel->row + 1).cosine;
     const double cosine = top + down * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
     const double right = (before - left) / (texel->light - left);

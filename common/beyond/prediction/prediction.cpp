@@ -1,6 +1,6 @@
 #include "beyond/prediction/prediction.h"
 
-#include "beyond/known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
 #include "numerics/work.h"
 
 namespace bmc::beyond {
@@ -110,20 +110,11 @@ double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings,
 }
 
 double kurtosis(const EnvironmentMap& map) {
-    const TexelsOnSphere texels(map, 1, 1);
-    const auto mean_of = [&](auto f) {
-        double mean = 0;
-        for (int row = 0; row < texels.rows(); ++row)
-            for (int column = 0; column < texels.columns(); ++column)
-                mean += texels.solid_angle(row) / (4 * portable::pi) * f(dot(texels(row, column), {1, 1, 1}));
-        return mean;
-    };
-    const double centre = mean_of([](double light) { return light; });
-    const double variance = mean_of([&](double light) { return (light - centre) * (light - centre); });
-    const double fourth = mean_of([&](double light) {
-        const double square = (light - centre) * (light - centre);
-        return square * square;
-    });
+    const TexelsOnSphere texels(map);
+    const double centre = texels.mean(brightness);
+    const auto squared = [&](Color c) { return (brightness(c) - centre) * (brightness(c) - centre); };
+    const double variance = texels.mean(squared),
+                 fourth = texels.mean([&](Color c) { return squared(c) * squared(c); });
     return variance > 0 ? fourth / (variance * variance) : 1;
 }
 

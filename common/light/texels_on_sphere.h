@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-namespace bmc::beyond {
+namespace bmc {
 // The texels that have a solid angle. Only u = 1 or v = 1 meets the last column or row (environment.h), so these have
 // no area and are left out; a map of one row or column keeps it. If there are too few texels, each is cut into equal
 // pieces.
 class TexelsOnSphere {
 public:
-    TexelsOnSphere(const EnvironmentMap& map, int min_columns, int min_rows)
+    explicit TexelsOnSphere(const EnvironmentMap& map, int min_columns = 1, int min_rows = 1)
         : map_(map),
           across_(1 + (min_columns - 1) / std::max(1, map.width() - 1)),
           down_(1 + (min_rows - 1) / std::max(1, map.height() - 1)),
@@ -34,13 +34,28 @@ public:
     // Sine and cosine of the azimuth at this place, counted in columns from +z over -x.
     portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns_ - 0.5); }
 
+    // The mean over all directions of f(L).
+    template <class Function>
+    double mean(Function f) const {
+        double sum = 0;
+        for (int row = 0; row < rows_; ++row) {
+            double of_row = 0;
+            for (int column = 0; column < columns_; ++column) of_row += f((*this)(row, column));
+            sum += solid_angle(row) * of_row;
+        }
+        return sum / (4 * portable::pi);
+    }
+
 private:
     const EnvironmentMap& map_;
     int across_, down_, columns_, rows_;
 };
 
+// R + G + B, where one number stands for a radiance.
+inline double brightness(Color c) { return c.x + c.y + c.z; }
+
 // The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).
 inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
     return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
 }
-}  // namespace bmc::beyond
+}  // namespace bmc
