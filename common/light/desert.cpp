@@ -102,9 +102,11 @@ static Color bright_desert_color(Color color, Vec3 d) {
 
 static Color black_and_white_color(Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
 
-// The map of a light at the centres of texels: ground and sky, and what stands before them or in their place.
-template <Color light(Color, Vec3)>
-static EnvironmentMap painted(std::size_t threads) {
+// The lights, in the order of their names: what stands before ground and sky of a direction, or in their place.
+static Color (*const lights[])(Color, Vec3) = {desert_color, bright_desert_color, black_and_white_color};
+
+// The map of a light at the centres of texels.
+EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
     constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
@@ -117,13 +119,9 @@ static EnvironmentMap painted(std::size_t threads) {
         std::vector<Color> colors(width);
         for (std::size_t i = 0; i < width && above < 1; ++i) colors[i] = ground(directions[i]);
         for (std::size_t i = 0; i < width && above > 0; ++i) colors[i] = mix(colors[i], sky(directions[i]), above);
-        for (std::size_t i = 0; i < width; ++i) map.set(static_cast<int>(i), j, light(colors[i], directions[i]));
+        for (std::size_t i = 0; i < width; ++i)
+            map.set(static_cast<int>(i), j, lights[number](colors[i], directions[i]));
     });
     return map;
-}
-
-EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
-    const auto lights = {painted<desert_color>, painted<bright_desert_color>, painted<black_and_white_color>};
-    return lights.begin()[number](threads);
 }
 }  // namespace bmc
