@@ -23,7 +23,7 @@ LANGUAGE = -std=c++17 -ffp-contract=off -fno-math-errno -fno-trapping-math -pthr
 # A case that a switch lacks is an error: so the compiler names each place that a new enumerator needs.
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=switch
 COMPILE = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(WARNINGS) -Icommon $(CPPFLAGS)
-LINK = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $^
+LINK = $(CXX) $(CXXFLAGS) $(LANGUAGE) $(LDFLAGS) $(filter %.o,$^)
 
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*/*.cpp common/*/*/*.cpp))
 
