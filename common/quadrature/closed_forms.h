@@ -1,5 +1,5 @@
 // Integrals over the hemisphere in closed form, to be taken on trust at a first reading: tests/unit/test_covariance.cpp
-// compares each with its definition, and with 20 digits that were computed in another way.
+// compares each with 20 digits that were computed from its definition, in another way.
 #pragma once
 
 #include "numerics/portable_math.h"

@@ -13,7 +13,6 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -59,16 +58,6 @@ struct StringMaker<std::vector<T>> {
 };
 }  // namespace doctest
 
-// The first place where two lists differ, with both elements; empty if there is none.
-template <class T>
-std::string first_difference(const std::vector<T>& a, const std::vector<T>& b) {
-    std::size_t i = 0;
-    while (i < std::min(a.size(), b.size()) && a[i] == b[i]) ++i;
-    if (i == a.size() && i == b.size()) return "";
-    const auto at = [&](const std::vector<T>& all) { return i < all.size() ? doctest::toString(all[i]) : "nothing"; };
-    return formatted("element %zu: %s and %s", i, at(a).c_str(), at(b).c_str());
-}
-
 // The message of the exception that f throws; empty if it throws none.
 inline std::string message_of(const std::function<void()>& f) {
     try {
@@ -99,14 +88,20 @@ struct FailingBuffer : std::stringbuf {
     int_type underflow() override { throw std::ios::failure("an error of reading"); }
 };
 
-// Lets the options take what stands in these arguments of a program, and returns what they leave.
-inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
+// f(argc, argv) of a program with these arguments.
+template <class Function>
+auto with_arguments(std::vector<std::string> words, Function f) {
     words.insert(words.begin(), "program");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     optind = 0;  // a fresh scan
-    return parse_options(static_cast<int>(words.size()), argv.data(), options).rest;
+    return f(static_cast<int>(words.size()), argv.data());
+}
+
+// Lets the options take what stands in these arguments, and returns what they leave.
+inline std::vector<std::string> parse(const std::vector<std::string>& words, const Options& options) {
+    return with_arguments(words, [&](int argc, char** argv) { return parse_options(argc, argv, options).rest; });
 }
 
 // Whether options take the words of one list and refuse those of the other.
@@ -126,24 +121,6 @@ inline std::vector<std::vector<std::string>> rows_of(const std::string& table) {
             rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
     }
     return rows;
-}
-
-// Whether a value of an enumeration is an enumerator: where it is an argument of a template, compilers print its name,
-// and (type)number for any other value.
-template <class Enumeration, Enumeration value>
-bool is_enumerator() {
-    return !contains(__PRETTY_FUNCTION__, "value = (");
-}
-template <class Enumeration, int... numbers>
-std::size_t count_enumerators(std::integer_sequence<int, numbers...>) {
-    return (std::size_t{0} + ... + is_enumerator<Enumeration, static_cast<Enumeration>(numbers)>());
-}
-
-// Whether the array gives every enumerator (they count from 0) a name of its own.
-template <class Enumeration, std::size_t rows>
-bool names_all(const char* const (&table)[rows]) {
-    return std::set<std::string>(table, table + rows).size() == rows &&
-           count_enumerators<Enumeration>(std::make_integer_sequence<int, 32>()) == rows;
 }
 
 // The names with their enumerators.

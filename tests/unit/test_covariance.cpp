@@ -4,21 +4,6 @@
 
 constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
 
-// z by its definition: 2 pi times the mean of k p over many directions.
-static double z_by_definition(const Covariance& covariance, double cosine) {
-    constexpr std::size_t n = 40000;
-    const Vec3 here{std::sqrt(1 - cosine * cosine), cosine, 0};
-    double sum = 0;
-    for (const Vec3& w : fibonacci_directions(n))
-        sum += known_part(covariance.known(), w) * covariance.k(squared_distance(here, w));
-    return 2 * pi / n * sum;
-}
-
-TEST_CASE("covariances and known parts have names") {
-    CHECK(names_all<CovarianceFamily>(covariance_names));
-    CHECK(names_all<Known>(known_names));
-}
-
 TEST_CASE("k is C - r^(2s - 2) with C = 2^(2s - 1) / s, or exp(-r^2 / 2 l^2)") {
     for (const double r : {0.0, 1e-8, 0.3, 1.0, 1.9, 2.0}) {
         CAPTURE(r);
@@ -71,30 +56,6 @@ TEST_CASE("z and zz agree with 20 digits of quadrature to 2e-15, or 1e-14 at l =
             CHECK(relative(ours, std::stod(rows[row].at(i))) <= (parameter == 0.05 ? 1e-14 : 2e-15));
         }
     }
-}
-
-// The sums err most at the rim, where a step of the lattice, 2.5e-5 high, is all in or all out: by 3e-5 of themselves,
-// and by 3e-3 at l = 0.05, since few directions count.
-TEST_CASE("z is 2 pi times the mean of k p over H, in any direction, and zz that of z p") {
-    const auto agree = [](const Covariance& covariance, double most) {
-        CAPTURE(covariance.k(1));
-        double zz = 0;
-        for (double cosine = 1.0 / 8000; cosine < 1; cosine += 1.0 / 4000)
-            zz += 2 * pi / 4000 * covariance.z(cosine) * known_part(covariance.known(), {0, cosine, 0});
-        CHECK(relative(covariance.zz(), zz) < most);
-        for (const double cosine : {0.0, 0.02, 0.4, 1.0})
-            CHECK_MESSAGE(relative(covariance.z(cosine), z_by_definition(covariance, cosine)) < most, cosine);
-    };
-    for (const double s : {1.05, 1.5, 1.85}) agree(*covariance_of(sobolev, s), 4e-5);
-    agree(SobolevKnownCosine(), 4e-5);
-    for (const double l : {0.05, 1.5, 2.0}) agree(SquaredExponential(l), l < 1 ? 4e-3 : 4e-5);
-}
-
-// Each side errs by up to 2e-15.
-TEST_CASE("the closed form of z at s = 3/2 and the integral over caps agree to 4e-15") {
-    for (int i = 0; i <= 500; ++i)
-        CHECK_MESSAGE(relative(GeneralSobolev(1.5).z(i / 500.0), Sobolev().z(i / 500.0)) < 4e-15, i);
-    CHECK(relative(GeneralSobolev(1.5).zz(), Sobolev().zz()) < 4e-15);
 }
 
 TEST_CASE("parameters and known parts that a covariance cannot have are refused") {

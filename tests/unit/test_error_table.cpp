@@ -11,26 +11,6 @@ static ErrorRow row_of(const Integrand& integrand, std::size_t samples, std::siz
     return error_rows({integrand}, samples, settings, progress)[0];
 }
 
-TEST_CASE("both methods' errors are those of estimates on the same directions") {
-    const ErrorRow row = row_of(cosine_integrand, 10, 3, 2);
-    Statistics mc, bmc, predicted;
-    for (std::size_t e = 0; e < 3; ++e) {
-        const std::vector<Vec3> directions = directions_of_estimate({}, 10, e).directions;
-        const GaussianProcess process(Sobolev(), 0.01, directions);
-        const std::vector<double> values = evaluate(cosine_integrand, directions);
-        mc.add(std::fabs(estimate(monte_carlo_rule({directions}), cosine_integrand) - pi));
-        if (e == 2) break;
-        bmc.add(std::fabs(process.integral(values) - pi));
-        predicted.add(std::sqrt(2 / pi) * process.standard_error(values));
-    }
-    CHECK(row.samples == 10);
-    CHECK(row.mc.count == 3);
-    CHECK(row.bmc.count == 2);
-    CHECK(relative(row.mc.mean, mc.mean) < 1e-14);
-    CHECK(relative(row.bmc.mean, bmc.mean) < 1e-14);
-    CHECK(relative(row.predicted.mean, predicted.mean) < 1e-14);
-}
-
 TEST_CASE("an error of rounding counts as none, a larger one counts, however small") {
     for (const double off : {0.0, 2e-13, 5e-12}) {
         const Integrand constant{"", "", [](Vec3) { return 1.0; }, (1 + off) * 2 * pi};

@@ -3,8 +3,6 @@
 
 static std::string text_of(const std::vector<unsigned char>& bytes) { return {bytes.begin(), bytes.end()}; }
 
-TEST_CASE("formats have names") { CHECK(names_all<Format>(format_names)); }
-
 TEST_CASE("an image is black at first, and its pixels follow each other row after row") {
     Image image(3, 2);
     CHECK(image.pixels == std::vector<Color>(6));

@@ -16,4 +16,8 @@ TEST_CASE("the options of a model set its members, in the ranges of a process") 
     CHECK(s.known == Known::cosine);
     CHECK(s.placement == Placement::cosine_fibonacci);
     CHECK(s.seed == UINT64_MAX);
+    Options idle;  // with the values that are set
+    add_model_options(idle, s);
+    CHECK(std::vector{idle.all[1].name, idle.all[1].idle_with} ==
+          std::vector<std::string>{"smoothness", "--covariance squared-exponential"});
 }

@@ -11,29 +11,6 @@ TEST_CASE("the table has Monte Carlo's samples for the same error, and the effic
                   "pool 3 uniform light 40 0.10000 0.00000 0.0000 0.00000 160 8 6 2\n"));
 }
 
-TEST_CASE("errors are over seeds") {
-    const EnvironmentMap map = coloured_map(16, 9);
-    CostSettings costs;
-    costs.size = 6;
-    costs.untimed = true;
-    const Image truth = reference_image(map, row_settings(costs, {}, 0), 10000);
-    const ComparedPicture pool = compared_pictures(map)[6];
-    RootMeanSquare rmse;
-    const PictureCost row = picture_cost(pool, 3, costs, truth, [&](const Image& image, const RenderSettings& s) {
-        CHECK(s.samples == 3);
-        CHECK(s.seed == 1 + rmse.squares.count);
-        CHECK(first_difference(image.pixels, picture(map, s).pixels) == "");
-        rmse.add(image_error(image, truth).rmse);
-    });
-    CHECK(row.settings.method == Method::pool);
-    CHECK(row.rmse.squares.count == 16);
-    CHECK(row.rmse.value() == rmse.value());
-    costs.seed = 2;
-    const PictureCost other = picture_cost(pool, 3, costs, truth);
-    CHECK(other.rmse.value() != row.rmse.value());
-    CHECK(other.settings.seed == row.settings.seed + 1000);
-}
-
 TEST_CASE("a light that reaches nothing has no errors to compare") {
     const EnvironmentMap map = coloured_map(16, 9);
     CHECK_THROWS_AS(picture_cost(compared_pictures(map)[0], 3, {}, Image(6, 6)), std::runtime_error);

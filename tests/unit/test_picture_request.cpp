@@ -33,16 +33,6 @@ TEST_CASE("more samples than a process can have are for Monte Carlo on a lattice
             }
 }
 
-TEST_CASE("a request is the light that the practice's scene reflects") {
-    const EnvironmentMap map = coloured_map(16, 9);
-    const Scene scene = sphere_scene();
-    PictureRequest request;
-    request.settings = small_picture(Method::pool, 7);
-    const PixelRules rules(request.settings);
-    CHECK(first_difference(request.image(map).pixels,
-                           render(scene, map, request.settings, environment_shader(scene, map, rules)).pixels) == "");
-}
-
 TEST_CASE("a PPM has 2^exposure times the light of the picture, a PFM the light itself") {
     PictureRequest request;
     request.exposure = -2;

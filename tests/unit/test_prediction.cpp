@@ -50,6 +50,10 @@ TEST_CASE("windows grow from 7 x 7 pixels to 15 x 15") {
         CHECK(across == side);
         CHECK(down == side);
     }
+    Image wide(60, 20);  // whose windows end at the right border
+    for_each_hit(sphere_scene(), {60, 20}, [&](int x, int y, const Hit&) { wide(x, y) = Vec3{1, 1, 1}; });
+    const Image errors = predicted_errors(wide, Image(60, 20));
+    for_each_hit(sphere_scene(), {60, 20}, [&](int x, int y, const Hit&) { CHECK(errors(x, y) == Vec3{1, 1, 1}); });
 }
 
 TEST_CASE("a pilot is a small picture, every k-th pixel of a large one, or as many as asked") {
@@ -106,7 +110,7 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
 
 TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
     EnvironmentMap lamp = even_map(64, 32, 1);
-    lamp.set(20, 8, {5000, 5000, 5000});
+    for (int x = 20; x < 30; ++x) lamp.set(x, 8, {500, 500, 500});  // a kurtosis of 200
     RenderSettings settings = small_picture(Method::mc, 2, 260);
     for (const bool light_known : {false, true}) {
         CAPTURE(light_known);

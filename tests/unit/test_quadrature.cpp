@@ -29,8 +29,6 @@ TEST_CASE("white brightness and noise gain are those of the weights in a picture
     CHECK(relative(noise_gain(lattice), 1) < 1e-6);
 }
 
-TEST_CASE("placements have names") { CHECK(names_all<Placement>(placement_names)); }
-
 TEST_CASE("a placement is random directions, or a lattice turned by one random number") {
     for (const auto& row : named<Placement>(placement_names)) {
         const Placement placement = row.second;

@@ -33,6 +33,11 @@ TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exp
           std::vector<double>{1, 0.5, 0x1p-7, 0, 0, 0, 0x1.fep126, 0x1p119, 0, 255 * 0x1p-135, 0x1p-135, 0x1p-128});
 }
 
+TEST_CASE("a file's radiances are the true ones times all of its exposures") {
+    const std::string rest = "\n\n-Y 1 +X 1\n" + bytes_of({1, 2, 3, 136});
+    CHECK(channels(read_hdr("#?RGBE\nEXPOSURE=2\nEXPOSURE= 0.25" + rest)) == std::vector<double>{2, 4, 6});
+}
+
 TEST_CASE("coded scanlines of 8 to 32767 texels decode runs and literals of each component") {
     std::vector<double> both(9, 128);
     for (int i = 0; i < 5; ++i)

@@ -13,34 +13,10 @@ static std::string asked(const EnvironmentMap& map, std::vector<std::string> wor
     return printed.substr(printed.empty() ? 0 : printed.find(": ") + 2) + file;  // without the program's name
 }
 
-TEST_CASE("a request is a picture, its predicted errors, or the samples that an RMSE takes") {
+TEST_CASE("of two known factors the last one counts") {
     const EnvironmentMap map = coloured_map(32, 17);
-    for (const std::string known : {"nothing", "cosine", "light"}) {
-        CAPTURE(known);
-        RenderSettings settings = small_picture(Method::pool, 10, 16);
-        settings.pool = 20;
-        settings.known = known == "nothing" ? Known::nothing : Known::cosine;
-        const EnvironmentLight light(map, known == "light", 1);
-        const Scene scene = sphere_scene();
-        const Image image = picture(light, settings),
-                    errors =
-                        predicted_errors(image, render(scene, map, settings, better_shader(scene, light, settings)));
-        const std::string note = "%zu samples for a predicted RMSE of %.2g\n";
-        CHECK(asked(map, {"--known=" + known}) == encode(image, Format::pfm));
-        CHECK(asked(map, {"--known=" + known, "--show=error"}) ==
-              formatted(note.c_str(), std::size_t{10}, root_mean_square(errors)) + encode(errors, Format::pfm));
-        const Prediction chosen = samples_for(1, 4096, light, settings);
-        settings.samples = static_cast<std::size_t>(chosen.samples);
-        CHECK(asked(map, {"--known=" + known, "--rmse=1"}) ==
-              formatted(note.c_str(), settings.samples, chosen.rmse) + encode(picture(light, settings), Format::pfm));
-    }
-    CHECK(asked(map, {"--known=light", "--known=cosine"}) == asked(map, {"--known=cosine"}));  // the last one counts
+    CHECK(asked(map, {"--known=light", "--known=cosine"}) == asked(map, {"--known=cosine"}));
     CHECK_THROWS_WITH(parse({"--known=all"}, Request().options()), "--known: 'all' is not nothing, cosine or light");
-}
-
-TEST_CASE("what is shown, and what is known, has names") {
-    CHECK(names_all<Show>(show_names));
-    CHECK(names_all<KnownFactor>(known_factor_names));
 }
 
 TEST_CASE("errors in a PPM are grey, white at twice their root mean square") {

@@ -53,23 +53,6 @@ TEST_CASE("rays meet the sphere, the rectangle, the nearer of both, or nothing")
     }
 }
 
-TEST_CASE("each pixel that shows an object is passed once, with what its ray meets") {
-    const Camera camera{30, 20};
-    std::vector<bool> passed(600);
-    std::size_t next = 0;
-    for_each_hit(test_scene(), camera, [&](int x, int y, const Hit& hit) {
-        const std::size_t pixel = static_cast<std::size_t>(30 * y + x);
-        CHECK(pixel >= next);
-        CHECK(dot(hit.normal, camera.ray(x, y).direction) < 0);
-        passed[pixel] = true;
-        next = pixel + 1;
-    });
-    for (int i = 0; i < 600; ++i) {
-        CAPTURE(i);
-        CHECK(passed[static_cast<std::size_t>(i)] == intersect(test_scene(), camera.ray(i % 30, i / 30)).has_value());
-    }
-}
-
 TEST_CASE("a direction is shadowed where a ray meets the other object") {
     int shadowed[2] = {}, all[2] = {};
     for_each_hit(test_scene(), {24, 24}, [&](int, int, const Hit& hit) {

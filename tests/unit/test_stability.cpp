@@ -1,23 +1,6 @@
 #include "experiments/stability.h"
 #include "test.h"
 
-TEST_CASE("sample sets have names") { CHECK(names_all<SampleSet>(sample_set_names)); }
-
-TEST_CASE("sample sets are random, doubled, on the rim, at the pole, or one small cluster") {
-    const auto set = [](SampleSet which) { return sample_set(which, 10); };
-    Random random(1, 10);
-    const std::vector<Vec3> expected = random_directions(10, random), cluster = set(SampleSet::cluster);
-    for (std::size_t i = 0; i < 10; ++i) {
-        CAPTURE(i);
-        CHECK(set(SampleSet::random)[i] == expected[i]);
-        CHECK(set(SampleSet::duplicates)[i] == expected[i - i % 2]);
-        CHECK(set(SampleSet::equator)[i] == normalize({expected[i].x, 0, expected[i].z}));
-        CHECK(set(SampleSet::pole)[i] == Vec3{0, 1, 0});
-        CHECK(length(cluster[i] - cluster[0]) < 2e-8);
-        CHECK((cluster[i] == cluster[0]) == (i == 0));
-    }
-}
-
 // Turning changes no distance and no y, so all differences are roundings.
 TEST_CASE("the weights' error is the largest difference from turned sets over the largest") {
     const std::vector<Vec3> directions = sample_set(SampleSet::random, 40);
