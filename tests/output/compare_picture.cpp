@@ -36,32 +36,20 @@ std::string describe_first(const bmc::Image& reference, const bmc::Image& actual
            count_of(pixels.size(), reference.pixels.size(), "pixels") + bmc::formatted(", at most by %.3g", largest);
 }
 
-// Of the pixels that differ: how large the errors of the linear light are, their mean over that of the reference, and
-// the correlation of those of horizontal neighbours, less the mean.
+// Of the pixels that differ: how large the errors of the linear light are, and their mean over that of the reference.
 std::string describe_errors(const bmc::Image& reference, const bmc::Image& actual,
                             const std::vector<std::size_t>& pixels) {
-    const auto error = [&](std::size_t pixel) { return actual.pixels[pixel] - reference.pixels[pixel]; };
-    const double count = static_cast<double>(pixels.size());
     const bmc::Color one{1, 1, 1};
-    double squares = 0, expected = 0, products = 0, pair_squares = 0;
-    bmc::Color sum;
+    double squares = 0, sum = 0, expected = 0;
     for (const std::size_t pixel : pixels) {
-        squares += dot(error(pixel), error(pixel));
-        sum += error(pixel);
+        const bmc::Color error = actual.pixels[pixel] - reference.pixels[pixel];
+        squares += dot(error, error);
+        sum += dot(error, one);
         expected += dot(reference.pixels[pixel], one);
     }
-    for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
-        if (pixels[i + 1] != pixels[i] + 1 || pixels[i + 1] % static_cast<std::size_t>(reference.width) == 0) continue;
-        const bmc::Color here = error(pixels[i]) - 1 / count * sum, next = error(pixels[i + 1]) - 1 / count * sum;
-        products += dot(here, next);
-        pair_squares += (dot(here, here) + dot(next, next)) / 2;
-    }
     if (!std::isfinite(squares / expected)) return "";
-    const std::string text = bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%",
-                                            std::sqrt(squares / (3 * count)), 100 * dot(sum, one) / expected);
-    if (pair_squares == 0) return text;
-    return text + bmc::formatted(", the correlation of neighbouring errors is %.2f",
-                                 std::floor(100 * products / pair_squares + 0.5) / 100);
+    return bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%",
+                          std::sqrt(squares / (3 * static_cast<double>(pixels.size()))), 100 * sum / expected);
 }
 
 }  // namespace

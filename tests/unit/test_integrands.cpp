@@ -33,10 +33,3 @@ TEST_CASE("an integrand's samples are over the known part, and a rule sums them"
     CHECK(evaluate(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4, 0x1p41});
     CHECK(relative(estimate({directions, {10, 100, 0}, Known::cosine}, integrand), 432.5) < 1e-15);
 }
-
-TEST_CASE("estimate e of n samples draws from stream n 2^32 + e") {
-    ModelSettings settings;
-    settings.seed = 9;
-    Random random(9, (std::uint64_t{3} << 32) + 7);
-    CHECK(directions_of_estimate(settings, 3, 7).directions == random_directions(3, random));
-}

@@ -50,10 +50,17 @@ TEST_CASE("windows grow from 7 x 7 pixels to 15 x 15") {
         CHECK(across == side);
         CHECK(down == side);
     }
-    Image wide(60, 20);  // whose windows end at the right border
-    for_each_hit(sphere_scene(), {60, 20}, [&](int x, int y, const Hit&) { wide(x, y) = Vec3{1, 1, 1}; });
-    const Image errors = predicted_errors(wide, Image(60, 20));
-    for_each_hit(sphere_scene(), {60, 20}, [&](int x, int y, const Hit&) { CHECK(errors(x, y) == Vec3{1, 1, 1}); });
+}
+
+TEST_CASE("windows end at the borders of the picture") {
+    Image a(60, 40);
+    for (const int x : {0, 59}) a(x, 39) = {1, 1, 1};  // on the rectangle
+    const Image errors = predicted_errors(a, Image(60, 40));
+    std::vector<int> across;
+    for (int x = 0; x < 60; ++x)
+        if (errors(x, 39).x > 0) across.push_back(x);
+    CHECK(across == std::vector<int>{0, 1, 2, 3, 56, 57, 58, 59});
+    CHECK(errors(59, 36).x > 0);
 }
 
 TEST_CASE("a pilot is a small picture, every k-th pixel of a large one, or as many as asked") {
@@ -120,7 +127,7 @@ TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
     }
 }
 
-TEST_CASE("the better picture has other random numbers") {
+TEST_CASE("the better picture has four times the samples, on the cosine lattice, by other random numbers") {
     const EnvironmentMap map = coloured_map(16, 9);
     const EnvironmentLight light(map, true, 1);
     RenderSettings settings = small_picture(Method::pool, 5, 24);

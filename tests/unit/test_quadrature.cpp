@@ -29,26 +29,6 @@ TEST_CASE("white brightness and noise gain are those of the weights in a picture
     CHECK(relative(noise_gain(lattice), 1) < 1e-6);
 }
 
-TEST_CASE("a placement is random directions, or a lattice turned by one random number") {
-    for (const auto& row : named<Placement>(placement_names)) {
-        const Placement placement = row.second;
-        Random drawn(1, 2), here(1, 2);
-        const DirectionSet placed = place_directions(placement, 10, drawn);
-        const bool cosine = placement == Placement::cosine || placement == Placement::cosine_fibonacci;
-        const bool lattice = placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
-        const Known density = cosine ? Known::cosine : Known::nothing;
-        std::vector<Vec3> expected = lattice ? fibonacci_directions(10, density) : random_directions(10, here, density);
-        const double turns = lattice ? here.uniform() : 0;
-        if (lattice)
-            for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
-        INFO(row.first);
-        CHECK(is_lattice(placement) == lattice);
-        CHECK(placed.directions == expected);
-        CHECK(drawn.bits() == here.bits());
-        CHECK(placed.known == density);
-    }
-}
-
 TEST_CASE("Monte Carlo has equal weights, and a Bayesian rule those of its process") {
     for (const Known known : {Known::nothing, Known::cosine})
         for (const std::size_t n : {1u, 3u, 40u}) {
