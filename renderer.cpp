@@ -14,8 +14,16 @@ using Request = bmc::PictureRequest;
 int main(int argc, char** argv) {
     return bmc::run_program("renderer", [&] {
         return bmc::run_command({"", "", std::make_shared<Request>(), "out.ppm"},
-                                "usage: ./renderer [options] > out.ppm\n"
-                                "       ./renderer --method direct --samples 20 --size 100 > direct.ppm\n",
+                                R"(usage: ./renderer [options] > out.ppm
+       ./renderer --method direct --samples 20 --size 100 > direct.ppm
+
+Renders the sphere scene, lit by an environment, with Monte Carlo or Bayesian Monte Carlo. The methods:
+  mc       Monte Carlo: random directions for each pixel, which count the same
+  direct   Bayesian Monte Carlo, with a new Gaussian process for each pixel
+  single   one Gaussian process for all pixels, turned to the normal
+  rotated  the same, rotated about the normal by a random angle in each pixel
+  pool     in each pixel one of several Gaussian processes, rotated by a random angle
+)",
                                 argc, argv);
     });
 }

@@ -40,8 +40,11 @@ static std::string run(int argc, char** argv) {
         usages += formatted("       ./workbench %-22s", each.name.c_str()) + each.summary + '\n';
     }
     if (argc < 2 || *argv[1] == '-')
-        return run_command(commands[0], "usage: ./workbench [options]\n" + usages, argc, argv);
-    throw std::invalid_argument("there is no command '" + name + "'; type ./workbench --help, or a command: " + names);
+        return run_command(commands[0],
+                           "usage: ./workbench [options]\n" + usages +
+                               "\nCompares Monte Carlo with Bayesian Monte Carlo on integrals over the hemisphere.\n",
+                           argc, argv);
+    throw std::invalid_argument("unknown command '" + name + "'; commands: " + names);
 }
 
 int main(int argc, char** argv) {

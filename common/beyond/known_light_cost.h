@@ -23,6 +23,6 @@ struct KnownLightReport : Experiment {
 
 // The commands of the workbench that go beyond the practice.
 inline std::vector<Command> commands() {
-    return {{"known-light", "what it saves to know the light", std::make_shared<KnownLightReport>()}};
+    return {{"known-light", "what you gain by knowing the light", std::make_shared<KnownLightReport>()}};
 }
 }  // namespace bmc::beyond

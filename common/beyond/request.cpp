@@ -18,7 +18,7 @@ void Request::add_options(Options& options) {
     PictureRequest::add_options(options);
     options.add("known", known_factor_names, known, known_remark);
     if (settings.method == Method::mc && known != KnownFactor::light) options.make_idle({"known"}, "--method mc");
-    options.add("rmse", "X", "in place of --samples: the fewest with this predicted RMSE", rmse, 1e-9, 1e9);
+    options.add("rmse", "X", "use as few samples as reach this predicted RMSE (instead of --samples)", rmse, 1e-9, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
     if (rmse > 0) options.make_idle({"samples"}, "--rmse");
 }
@@ -29,14 +29,16 @@ Image Request::image(const EnvironmentMap& map) const {
     chosen.known = known == KnownFactor::nothing ? Known::nothing : Known::cosine;
     const EnvironmentLight light(map, light_known, settings.threads);
     if (rmse > 0) {
-        const Prediction found = samples_for(rmse, max_process_samples, light, chosen);
-        if (found.samples > max_process_samples)
-            throw std::runtime_error(
-                formatted("--rmse: about %.1g samples would be needed, and 4096 are the most allowed", found.samples) +
-                (light_known ? "" : "; take --known light, with the default covariance"));
+        const Prediction found = samples_for(rmse, most_samples(), light, chosen);
+        if (found.samples > static_cast<double>(most_samples()))
+            throw std::runtime_error("--rmse: about " + two_digits(found.samples) + " samples would be needed" +
+                                     formatted(", and %zu are the most allowed", most_samples()) +
+                                     (light_known ? "" : "; take --known light, with the default covariance"));
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
     }
+    const std::string missed = light_known ? "" : missed_light(map, chosen.samples);
+    if (!missed.empty()) print_note("note: " + missed + "; --known light models it");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
     Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen);
     if (show == Show::picture) return image;

@@ -12,7 +12,7 @@
 #include <cstdlib>
 
 namespace bmc {
-static std::string program_name = "bmc";  // in front of each line on stderr
+static const char* program_name = "bmc";  // in front of each line on stderr
 
 static void write_all(const std::string& output) {
 #ifdef _WIN32
@@ -132,13 +132,12 @@ std::string describe(const Options& options) {
 std::string run_command(const Command& command, const std::string& usage, int argc, char** argv) {
     bool help = false;
     Options options = command.experiment->options();
-    options.add("help", "prints this text", help);
+    options.add("help", "print this text", help);
     const Arguments given = parse_options(argc, argv, options);
     if (help) return usage + '\n' + describe(options);
-    if (!given.rest.empty())
-        throw std::invalid_argument("'" + given.rest[0] + "' is an argument of no option; --help lists the options");
+    if (!given.rest.empty()) throw std::invalid_argument("unexpected argument '" + given.rest[0] + "'; try --help");
     if (!command.file.empty() && isatty(STDOUT_FILENO))
-        throw std::invalid_argument("the picture would go to the terminal; type ./" + program_name + ' ' +
+        throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
     for (const Option& each : command.experiment->options().all)
         if (!each.idle_with.empty() && given.options.count(each.name) > 0)
@@ -162,22 +161,29 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
                                 std::to_string(high));
 }
 
-void print_note(const std::string& text) {
+// Nothing here allocates: the problem may be a lack of memory.
+void print_note(const std::string& text) { print_note(text.c_str()); }
+void print_note(const char* text) {
     constexpr std::size_t most = 300;  // at either end
-    std::string shown =
-        text.size() <= 2 * most ? text : text.substr(0, most) + " ... " + text.substr(text.size() - most);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(shown[i]);
-        const bool of_utf8 = i > 0 && shown[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
-        if (byte < ' ' || byte == 0x7f || of_utf8) shown[i] = '?';
+    const std::size_t length = std::strlen(text);
+    char shown[2 * most + 8];
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+        if (length > 2 * most && i == most) {
+            for (const char* dots = " ... "; *dots; ++dots) shown[count++] = *dots;
+            i = length - most;
+        }
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool of_utf8 = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
+        shown[count++] = byte < ' ' || byte == 0x7f || of_utf8 ? '?' : text[i];
     }
     Progress::show("");
-    std::fprintf(stderr, "%s: %s\n", program_name.c_str(), shown.c_str());
+    std::fprintf(stderr, "%s: %.*s\n", program_name, static_cast<int>(count), shown);
 }
 
 int run_program(const char* name, const std::function<std::string()>& body) {
     program_name = name;
-    const auto fail = [](const std::string& problem, int status) {
+    const auto fail = [](const char* problem, int status) {
         print_note(problem);
         return status;
     };

@@ -112,5 +112,6 @@ int run_program(const char* name, const std::function<std::string()>& body);
 
 // Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
 // long text the middle is left out: it may quote options and files.
+void print_note(const char* text);
 void print_note(const std::string& text);
 }  // namespace bmc

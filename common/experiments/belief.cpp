@@ -43,10 +43,12 @@ std::string Belief::report() const {
         const Vec3 direction = frame.to_world(w);
         return is_shadowed(scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
     };
-    const Integrand incident{"", "", [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); }, 0};
+    const Integrand incident{"", [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); }, 0};
     const std::vector<double> values = evaluate(incident, process.directions(), settings.known);
-    print_note(formatted("estimate %.4f, standard error %.4f, truth %.4f", process.integral(values),
-                         process.standard_error(values), reference_integral(incident)));
+    const double error = process.standard_error(values);
+    print_note(formatted("estimate %.4f, standard error %s, truth %.4f", process.integral(values),
+                         std::isnan(error) ? "unknown" : formatted("%.4f", error).c_str(),
+                         reference_integral(incident)));
 
     std::vector<Color> seen;
     for (const Vec3& direction : process.directions()) seen.push_back(light(direction));

@@ -40,21 +40,6 @@ static std::string mean_cells(const Statistics& errors, int width) {
     return cell(width, errors.count > 0 ? errors.mean : NAN) + cell(10, plus_minus < least ? 0 : plus_minus);
 }
 
-static std::string integrand_names() {
-    std::vector<std::string> names;
-    for (const Integrand& integrand : practice_integrands()) names.push_back(integrand.name);
-    return listed(names);
-}
-
-// Throws std::invalid_argument if there is none.
-static std::vector<Integrand> integrands_named(const std::string& name) {
-    std::vector<Integrand> named;
-    for (const Integrand& integrand : practice_integrands())
-        if (name.empty() || integrand.name == name) named.push_back(integrand);
-    if (named.empty()) throw std::invalid_argument("--integrand: '" + name + "' is not " + integrand_names());
-    return named;
-}
-
 // How long an estimate takes, in any unit.
 static double mc_work(std::size_t samples) { return static_cast<double>(samples); }
 static double bmc_work(std::size_t samples) { return static_cast<double>(samples * samples) / 8; }
@@ -90,17 +75,17 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 }
 
 void ErrorTables::add_options(Options& options) {
-    options.add("integrand", "NAME", integrand_names() + " (default all)", integrand);
+    options.add("integrand", practice_integrand_names, integrand);
     add_sample_list(options, settings.samples);
-    options.add("mc-estimates", "M", "estimates of MC in a mean error (default 1000)", settings.mc_estimates, 1,
+    options.add("mc-estimates", "M", "MC estimates averaged in each row (default 1000)", settings.mc_estimates, 1,
                 100000);
-    options.add("bmc-estimates", "M", "estimates of BMC in a mean error (default 1000)", settings.bmc_estimates, 1,
+    options.add("bmc-estimates", "M", "BMC estimates averaged in each row (default 1000)", settings.bmc_estimates, 1,
                 100000);
     add_model_options(options, settings);
 }
 
 std::string ErrorTables::report() const {
-    const std::vector<Integrand> integrands = integrands_named(integrand);
+    const std::vector<Integrand> integrands = practice_integrands(integrand);
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text, refused, reason;
     double all_work = 0;

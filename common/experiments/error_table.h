@@ -38,7 +38,7 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 
 // What the workbench prints without a command: the tables of the practice's integrands.
 struct ErrorTables : Experiment {
-    std::string integrand;  // empty: all
+    PracticeIntegrand integrand = PracticeIntegrand::all;
     ErrorSettings settings;
 
     void add_options(Options& options) override;

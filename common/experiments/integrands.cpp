@@ -5,19 +5,30 @@
 #include <numeric>
 
 namespace bmc {
-const std::vector<Integrand>& practice_integrands() {
-    static const std::vector<Integrand> integrands{
-        {"cosine", "cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi},
-        {"cosine-cubed", "cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2},
-        environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
-        {"constant", "1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
+static Integrand practice_integrand(PracticeIntegrand chosen) {
+    switch (chosen) {
+        case PracticeIntegrand::all: break;
+        case PracticeIntegrand::cosine: return {"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi};
+        case PracticeIntegrand::cosine_cubed:
+            return {"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2};
+        case PracticeIntegrand::environment:
+            return environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()));
+        case PracticeIntegrand::constant: return {"1", [](Vec3) { return 1.0; }, 2 * portable::pi};
+    }
+    throw std::logic_error("an integrand without a function");
+}
+
+std::vector<Integrand> practice_integrands(PracticeIntegrand chosen) {
+    if (chosen != PracticeIntegrand::all) return {practice_integrand(chosen)};
+    std::vector<Integrand> integrands;
+    for (std::size_t i = 1; i < std::size(practice_integrand_names); ++i)
+        integrands.push_back(practice_integrand(static_cast<PracticeIntegrand>(i)));
     return integrands;
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
     const Frame frame(normalize({0.3, 0.6, -0.7}));
-    Integrand integrand{"environment", "L(omega) cos(theta), the built-in environment above a tilted surface", nullptr,
-                        0};
+    Integrand integrand{"L(omega) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
     integrand.value = [=](Vec3 omega) { return luminance(light->radiance(frame.to_world(omega))) * omega.y; };
     integrand.truth = reference_integral(integrand);
     return integrand;

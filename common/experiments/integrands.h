@@ -11,15 +11,16 @@
 namespace bmc {
 // A function over the hemisphere and its integral w.r.t. solid angle.
 struct Integrand {
-    std::string name;
     std::string formula;
     std::function<double(Vec3)> value;
     double truth;
 };
 
 // The practice's integrands: cos(theta), cos(theta)^3, environment_integrand of the built-in light, and 1. The
-// workbench makes a table of each, and lists their names.
-const std::vector<Integrand>& practice_integrands();
+// workbench makes a table of each, or of one.
+enum class PracticeIntegrand { all, cosine, cosine_cubed, environment, constant };
+constexpr const char* practice_integrand_names[] = {"all", "cosine", "cosine-cubed", "environment", "constant"};
+std::vector<Integrand> practice_integrands(PracticeIntegrand chosen = PracticeIntegrand::all);
 
 // The luminance of a light times cos(theta) above a tilted surface. Its truth is reference_integral.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);

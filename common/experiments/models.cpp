@@ -73,7 +73,7 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
         const int y = static_cast<int>(500 * random.uniform());
         const std::optional<Hit> hit = intersect(scene, Camera{500, 500}.ray(x, y));
         if (!hit) continue;
-        Integrand integrand{"scene", "L v cos(theta)", nullptr, 0};
+        Integrand integrand{"L v cos(theta)", nullptr, 0};
         integrand.value = [light, scene, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
             const Vec3 omega = frame.to_world(local);
             return is_shadowed(scene, hit, omega) ? 0 : luminance(light->radiance(omega)) * local.y;
@@ -93,7 +93,7 @@ double log_evidence(const GaussianProcess& process, const std::vector<double>& v
 
 void ModelsReport::add_options(Options& options) {
     options.add("environment", "FILE", environment_help, environment);
-    options.add("samples", "N", "directions of a process (default 40)", samples, 1, 400);
+    options.add("samples", "N", "directions of each process (default 40)", samples, 1, 400);
 }
 
 std::string ModelsReport::report() const {
@@ -112,10 +112,11 @@ std::string ModelsReport::report() const {
     for (const ModelSettings& model : models) {
         const ModelResults v = results_of(model, integrands, samples);
         progress.done();
+        const double ratio = v.predicted.value() / v.error.value();
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
-        text += formatted("%-21s %9g %6g %10.4g %10.2g %6.2f %9.1f\n", name_of(model.covariance, covariance_names),
+        text += formatted("%-21s %9g %6g %10.4g %10.2g %6s %9.1f\n", name_of(model.covariance, covariance_names),
                           parameter_of(model), model.noise, v.error.value(), v.error.standard_error(),
-                          v.error.value() > 0 ? v.predicted.value() / v.error.value() : 0,
+                          std::isfinite(ratio) ? formatted("%.2f", ratio).c_str() : "-",
                           v.evidence.mean - evidence_of_default);
     }
     const RootMeanSquare mc = monte_carlo_error(integrands, samples);

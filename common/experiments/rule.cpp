@@ -31,21 +31,28 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
     const double ratio = relative_weight_sum(rule), integral = known_integral(known);
     return text +
            formatted(
-               R"(# The weights sum to %.6g; the integral of %s is %.6g. The ratio is %.4g: 1 is exact for constants.
-# Their sizes sum to S = %.4g times that integral; Monte Carlo has 1. %zu weights are negative.
-# In a picture, a white world has the brightness B = %.4g; 1 is right. The errors of samples count
-# %.3g times as much as in Monte Carlo. Above 2, pictures are usually worse than Monte Carlo's.
+               R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the rule were exact
+# for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). %s negative.
+# A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors of samples
+# %.3g times as much as Monte Carlo's weights do. Above 2, pictures are usually worse than Monte Carlo's.
 )",
                ratio * integral, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
-               negative, white_brightness(rule), noise_gain(rule));
+               negative == 0   ? "No weight is"
+               : negative == 1 ? "1 weight is"
+                               : formatted("%zu weights are", negative).c_str(),
+               white_brightness(rule), noise_gain(rule));
 }
 
 static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
-    const double amplitude = process.amplitude(values);
-    return formatted(
-        "# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error %s\n",
-        known == Known::cosine ? " times cos(theta)" : "", process.integral(values), amplitude,
-        amplitude > 0 ? formatted("%.6g", process.standard_error(values)).c_str() : "unknown, since all values are 0");
+    const double estimate = process.integral(values), error = process.standard_error(values);
+    if (!std::isfinite(estimate + process.amplitude(values)))
+        throw std::runtime_error("the estimate exceeds the largest number, 1.8e308; scale the values down");
+    std::string bar = formatted("%.6g", error);
+    if (std::isnan(error)) bar = "unknown: what is left of the variance is rounding; more noise makes it larger";
+    if (process.amplitude(values) == 0) bar = "unknown: the values are 0, or too small to be squared";
+    return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error ",
+                     known == Known::cosine ? " times cos(theta)" : "", estimate, process.amplitude(values)) +
+           bar + '\n';
 }
 
 // What is no number counts as NAN.
@@ -92,8 +99,9 @@ Samples read_samples(std::istream& in) {
 
 void RuleReport::add_options(Options& options) {
     options.add("samples", "N", "directions of the rule (default 40)", samples, 1, max_process_samples);
-    options.add("directions", "FILE", "lines x y z or x y z value in their place (-: standard input)", directions);
-    options.add("matrices", "prints Q and its inverse, too", matrices);
+    options.add("directions", "FILE", "read directions from FILE, a line x y z [value] each (-: standard input)",
+                directions);
+    options.add("matrices", "print Q and its inverse, too", matrices);
     add_model_options(options, settings);
     if (!directions.empty()) options.make_idle({"samples", "placement", "seed"}, "--directions");
 }

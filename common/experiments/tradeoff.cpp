@@ -1,6 +1,7 @@
 #include "experiments/tradeoff.h"
 
 #include "light/load_environment.h"
+#include "light/texels_on_sphere.h"
 #include "numerics/work.h"
 
 #include <algorithm>
@@ -71,7 +72,8 @@ static const char* const meaning =
     R"(# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its
 # standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean square
 # of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
-# integrand.
+# integrand. c, the standard deviation of the light over its mean, says what a light costs: the rmse of mc is about
+# c / sqrt(samples) of the picture's brightness.
 )";
 static const char* const measured =
     R"(# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is
@@ -100,7 +102,8 @@ std::string TradeoffReport::report() const {
             }
         text += (name == names[0] ? "" : "\n\n") +
                 formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
-                name + ".\n" + meaning + (costs.untimed ? "" : measured) + picture_table(rows, !costs.untimed);
+                name + formatted(", c = %.2g.\n", contrast(light)) + meaning + (costs.untimed ? "" : measured) +
+                picture_table(rows, !costs.untimed);
     }
     return text;
 }

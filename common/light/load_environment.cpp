@@ -11,10 +11,12 @@ EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
         if (name == built_in_lights[i]) return built_in_light(i, threads);
     std::ifstream file(name, std::ios::binary);
     if (!file)
-        throw std::runtime_error(name + ": no file that can be read has this name, and no built-in light: they are " +
-                                 "desert, bright-desert and black-and-white");
+        throw std::runtime_error(name + ": no such file, and not a built-in light (desert, bright-desert, " +
+                                 "black-and-white)");
     try {
         return read_radiance_hdr(file);
+    } catch (const std::ios_base::failure&) {
+        throw std::runtime_error(name + ": this file cannot be read to its end");
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(name + ": " + error.what());
     }

@@ -34,18 +34,6 @@ public:
     // Sine and cosine of the azimuth at this place, counted in columns from +z over -x.
     portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns_ - 0.5); }
 
-    // The mean over all directions of f(L).
-    template <class Function>
-    double mean(Function f) const {
-        double sum = 0;
-        for (int row = 0; row < rows_; ++row) {
-            double of_row = 0;
-            for (int column = 0; column < columns_; ++column) of_row += f((*this)(row, column));
-            sum += solid_angle(row) * of_row;
-        }
-        return sum / (4 * portable::pi);
-    }
-
 private:
     const EnvironmentMap& map_;
     int across_, down_, columns_, rows_;
@@ -53,6 +41,35 @@ private:
 
 // R + G + B, where one number stands for a radiance.
 inline double brightness(Color c) { return c.x + c.y + c.z; }
+
+// The mean over all directions of f(L).
+template <class Function>
+double mean_over_directions(const EnvironmentMap& map, Function f) {
+    const TexelsOnSphere texels(map);
+    double sum = 0;
+    for (int row = 0; row < texels.rows(); ++row) {
+        double of_row = 0;
+        for (int column = 0; column < texels.columns(); ++column) of_row += f(map.color(map.index(column, row)));
+        sum += texels.solid_angle(row) * of_row;
+    }
+    return sum / (4 * portable::pi);
+}
+
+// The mean over all directions of (b - mean of b)^power, where b is brightness(L).
+inline double central_moment(const EnvironmentMap& map, int power) {
+    const double mean = mean_over_directions(map, brightness);
+    return mean_over_directions(map, [=](Color c) {
+        double product = 1;
+        for (int i = 0; i < power; ++i) product *= brightness(c) - mean;
+        return product;
+    });
+}
+
+// c, the standard deviation of the light over its mean; nan for a black one. N independent samples err by about
+// c / sqrt(N) of what they estimate, so where c > sqrt(N) they miss the light.
+inline double contrast(const EnvironmentMap& map) {
+    return std::sqrt(central_moment(map, 2)) / mean_over_directions(map, brightness);
+}
 
 // The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).
 inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {

@@ -72,7 +72,8 @@ GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std
       z_(z_of(covariance, directions_)),
       cholesky_(factored(covariance_matrix(covariance, noise, directions_))),
       weights_(bayesian_weights(cholesky_, z_)),
-      variance_(posterior_variance(covariance.zz(), z_, weights_)) {}
+      zz_(covariance.zz()),
+      variance_(posterior_variance(zz_, z_, weights_)) {}
 
 // BEGIN SOLUTION integral
 double GaussianProcess::integral(const std::vector<double>& values) const { return dot(weights_, values); }

@@ -43,15 +43,18 @@ public:
     // stay, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n.
     double amplitude(const std::vector<double>& values) const;
 
-    // The standard error that the process predicts for integral(values): a sqrt(V).
-    double standard_error(const std::vector<double>& values) const { return amplitude(values) * std::sqrt(variance()); }
+    // The standard error that the process predicts for integral(values): a sqrt(V). nan if V is below 1e-12 zz: then
+    // it is the rounding of a difference, and says nothing.
+    double standard_error(const std::vector<double>& values) const {
+        return variance_ < 1e-12 * zz_ ? NAN : amplitude(values) * std::sqrt(variance_);
+    }
 
 private:
     std::vector<Vec3> directions_;
     std::vector<double> z_;
     Cholesky cholesky_;
     std::vector<double> weights_;
-    double variance_;
+    double zz_, variance_;
 };
 
 // z of each direction. Throws std::invalid_argument for one below the horizon.

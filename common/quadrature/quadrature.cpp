@@ -35,7 +35,8 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool practice = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
     if (known == Known::cosine) {
         if (practice) return std::make_shared<SobolevKnownCosine>();
-        throw std::invalid_argument("only sobolev of smoothness 1.5 has a closed form for the known part cosine");
+        throw std::invalid_argument(
+            "--known: cosine has a closed form with --covariance sobolev --smoothness 1.5 only");
     }
     if (practice) return std::make_shared<Sobolev>();
     switch (covariance) {

@@ -1,5 +1,6 @@
 #include "scene/picture_request.h"
 
+#include "light/texels_on_sphere.h"
 #include "numerics/statistics.h"
 #include "numerics/work.h"
 
@@ -38,15 +39,16 @@ PictureRequest::PictureRequest() { settings.threads = processors(); }
 
 void PictureRequest::add_options(Options& options) {
     options.add("method", method_names, settings.method);
-    options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, 1000000);
+    options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, most_lattice_samples);
     options.add("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1, 1000);
     add_model_options(options, settings);
     options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
                  [this](const std::string& text) { set_size(settings, text); }});
     options.add("environment", "FILE", environment_help, environment);
-    options.add("exposure", "X", "stops by which a PPM is brighter (default 0)", exposure, -100, 100);
+    options.add("exposure", "X", "brighten a PPM by X stops (default 0)", exposure, -100, 100);
     options.add("format", format_names, format, ": 8-bit sRGB, or linear floats");
-    options.add("threads", "T", "changes the time only (default: all processors)", settings.threads, 1, 256);
+    options.add("threads", "T", "number of threads; the picture does not change (default: all processors)",
+                settings.threads, 1, 256);
     const std::string method = std::string("--method ") + name_of(settings.method, method_names);
     if (settings.method == Method::mc)
         options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, method);
@@ -59,14 +61,21 @@ std::string PictureRequest::report() const {
     return file(image(load_environment(environment, settings.threads)));
 }
 
-void PictureRequest::require_possible() const {
-    const bool one_lattice = settings.method == Method::mc && is_lattice(settings.placement);
-    if (!one_lattice && settings.samples > max_process_samples)
-        throw std::invalid_argument(
-            formatted("--samples: %zu are too many, at most 4096 but for --method mc on a lattice", settings.samples));
+std::size_t PictureRequest::most_samples() const {
+    return settings.method == Method::mc && is_lattice(settings.placement) ? most_lattice_samples : max_process_samples;
 }
 
-Image PictureRequest::image(const EnvironmentMap& light) const { return warned_picture(light, settings); }
+void PictureRequest::require_possible() const {
+    if (settings.samples > most_samples())
+        throw std::invalid_argument(formatted(
+            "--samples: '%zu' is too many: at most 4096, except with --method mc on a lattice", settings.samples));
+}
+
+Image PictureRequest::image(const EnvironmentMap& light) const {
+    const std::string missed = missed_light(light, settings.samples);
+    if (!missed.empty()) print_note("note: " + missed);
+    return warned_picture(light, settings);
+}
 
 std::string PictureRequest::file(Image image) const {
     if (format == Format::ppm) {
@@ -77,7 +86,40 @@ std::string PictureRequest::file(Image image) const {
     return encode(image, format);
 }
 
+std::string two_digits(double number) {
+    return formatted("%.0f", std::strtod(formatted("%.1e", number).c_str(), nullptr));
+}
+
+std::string missed_light(const EnvironmentMap& light, std::size_t samples) {
+    const double c = contrast(light), root = std::sqrt(static_cast<double>(samples));
+    if (!(c > root / 2)) return "";
+    return "expect an error of about " + two_digits(100 * c / root) + " % of the picture's brightness with " +
+           formatted("%zu samples: the standard deviation of the light is %.2g times its mean", samples, c);
+}
+
+// Says how long --method direct will take, if that is more than a minute. Measured is a process of at most 200 samples;
+// the time of larger ones grows with the cube of their number.
+static void note_long_wait(RenderSettings settings) {
+    if (settings.method != Method::direct) return;
+    const double samples = static_cast<double>(settings.samples), fewer = std::min(samples, 200.0);
+    settings.samples = static_cast<std::size_t>(fewer);
+    const PixelRules rules(settings);
+    const double seconds = time_call([&] {
+        Random random = pixel_stream(settings, 0, 0);
+        rules.fresh_rule(random);
+    });
+    double pixels = 0;
+    for_each_hit(sphere_scene(), {settings.width, settings.height}, [&](int, int, const Hit&) { ++pixels; });
+    const double grown = samples / fewer, threads = static_cast<double>(std::min(settings.threads, processors()));
+    const double minutes = seconds * grown * grown * grown * pixels / threads / 60;
+    if (minutes > 1)
+        print_note("note: Gaussian processes of " + std::to_string(static_cast<int>(samples)) + " samples for " +
+                   two_digits(pixels) + " pixels take about " + two_digits(minutes) +
+                   " minutes; --method pool makes one for each of its --pool");
+}
+
 Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings) {
+    note_long_wait(settings);
     const Scene scene = sphere_scene();
     const PixelRules rules(settings);
     warn_of_weights(rules);
@@ -86,7 +128,8 @@ Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings
 
 void warn_of_weights(const PixelRules& rules) {
     SharedRules examined = rules.shared();
-    for (int x = 0; x < 20 && rules.shared().empty(); ++x) {
+    const std::size_t fresh = std::clamp<std::size_t>(8000 / rules.settings().samples, 2, 20);  // so that none wait
+    for (int x = 0; x < static_cast<int>(fresh) && rules.shared().empty(); ++x) {
         Random random = pixel_stream(rules.settings(), x, 0);
         examined.push_back(rules.fresh_rule(random));
     }
@@ -100,8 +143,7 @@ void warn_of_weights(const PixelRules& rules) {
     const double of_monte_carlo = 1 / std::sqrt(3 * static_cast<double>(rules.settings().samples));
     std::string harm;
     if (gain.value() > 2)
-        harm =
-            formatted("weights cancel, and errors of samples count %.2g times as much as in Monte Carlo", gain.value());
+        harm = "the weights amplify errors of samples " + two_digits(gain.value()) + " times as much as Monte Carlo's";
     else if (std::fabs(excess) > 2 * of_monte_carlo)
         harm = formatted("the weights make a white world %.0f %% too %s, more than twice Monte Carlo's error",
                          100 * std::fabs(excess), excess < 0 ? "dark" : "bright");

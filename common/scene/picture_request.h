@@ -17,7 +17,11 @@ struct PictureRequest : Experiment {
     void add_options(Options& options) override;
     std::string report() const override;  // the file
 
-    // Throws std::invalid_argument for more than 4096 samples, except for mc on a lattice.
+    // max_process_samples, or for mc on a lattice, which makes no process, most_lattice_samples.
+    std::size_t most_samples() const;
+    static constexpr std::size_t most_lattice_samples = 1000000;
+
+    // Throws std::invalid_argument for more samples.
     void require_possible() const;
 
     // The image of linear radiance. Throws what the Gaussian processes throw.
@@ -27,11 +31,18 @@ struct PictureRequest : Experiment {
     std::string file(Image image) const;
 };
 
+// A number from 1 on, rounded to two digits, for a person.
+std::string two_digits(double number);
+
+// What to expect of so many samples of this light where it is not known, if they miss it: the contrast c is above
+// sqrt(samples) / 2, so that the error is above half of the picture's brightness. Empty if they do not.
+std::string missed_light(const EnvironmentMap& light, std::size_t samples);
+
 // The image of linear radiance, after warnings on stderr. Throws what the Gaussian processes throw.
 Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings);
 
 // Prints a warning on stderr if the error of these rules is more than twice that of Monte Carlo with as many samples in
 // one of two worlds, a white one or one of noise (white_brightness, noise_gain): in the mean over the shared rules, or
-// over twenty fresh ones where pixels share none.
+// over some fresh ones where pixels share none: twenty, or fewer if they are large.
 void warn_of_weights(const PixelRules& rules);
 }  // namespace bmc

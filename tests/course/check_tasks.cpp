@@ -321,8 +321,8 @@ void errors(const char* what, const Statistics& of, double factor = 1, const cha
 // Calls f(row) for each row of the table and each integrand, of so many estimates.
 template <class Function>
 void for_each_row(std::size_t mc_estimates, std::size_t bmc_estimates, Function f) {
-    const std::vector<Integrand> integrands = {{"", "cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
-                                               {"", "1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
+    const std::vector<Integrand> integrands = {{"cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
+                                               {"1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
     for (const Row& row : rows) {
         ErrorSettings settings;
         settings.seed = seed, settings.noise = row.noise, settings.covariance = row.covariance;

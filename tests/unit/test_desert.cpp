@@ -18,6 +18,5 @@ TEST_CASE("an error in the file of a light names the file") {
     CHECK(message_of([&] { load_environment(bad.name); }) ==
           bad.name + ": not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
     CHECK(message_of([&] { load_environment("no such file"); }) ==
-          "no such file: no file that can be read has this name, and no built-in light: they are desert, bright-desert "
-          "and black-and-white");
+          "no such file: no such file, and not a built-in light (desert, bright-desert, black-and-white)");
 }

@@ -12,8 +12,10 @@ TEST_CASE("the practice's integrands are its four functions, with their integral
     for (const Integrand& integrand : all) {
         double sum = 0;
         for (const Vec3& w : fibonacci_directions(100000)) sum += 2 * pi / 1e5 * integrand.value(w);
-        CHECK_MESSAGE(relative(integrand.truth, sum) < 5e-4, integrand.name);
+        CHECK_MESSAGE(relative(integrand.truth, sum) < 5e-4, integrand.formula);
     }
+    CHECK(practice_integrands(PracticeIntegrand::cosine_cubed)[0].truth == pi / 2);
+    CHECK(practice_integrands(PracticeIntegrand::constant).size() == 1);
 }
 
 TEST_CASE("the integrand of a light is luminance above a tilted surface, times cos(theta)") {
@@ -27,7 +29,7 @@ TEST_CASE("the integrand of a light is luminance above a tilted surface, times c
 }
 
 TEST_CASE("an integrand's samples are over the known part, and a rule sums them") {
-    const Integrand integrand{"", "", [](Vec3 w) { return 2 + w.x; }, 0};
+    const Integrand integrand{"", [](Vec3 w) { return 2 + w.x; }, 0};
     const std::vector<Vec3> directions{{0.6, 0.8, 0}, {0, 0.5, 0}, {0, 0x1p-40, 0}};  // the last at the horizon
     CHECK(evaluate(integrand, directions) == std::vector<double>{2.6, 2, 2});
     CHECK(evaluate(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4, 0x1p41});

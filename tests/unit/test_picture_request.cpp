@@ -1,3 +1,4 @@
+#include "light/texels_on_sphere.h"
 #include "scene/picture_request.h"
 #include "test.h"
 
@@ -88,7 +89,7 @@ TEST_CASE("weights that cancel, or that make a white world dark, give a warning"
         const double gain = noise_gain(rule), dark = 1 - white_brightness(rule), most = 2 / std::sqrt(3 * 85.0);
         const std::string warning = warning_of(settings);
         CAPTURE(settings.noise);
-        CHECK(contains(warning, formatted("errors of samples count %.2g times", gain)) == (gain > 2));
+        CHECK(contains(warning, "errors of samples " + two_digits(gain) + " times") == (gain > 2));
         CHECK(contains(warning, formatted("%.0f %% too dark", 100 * dark)) == (gain <= 2 && dark > most));
         CHECK(warning.empty() == (gain <= 2 && dark <= most));
         close_to_gain += std::fabs(gain - 2) < 0.3;
@@ -118,12 +119,12 @@ TEST_CASE("the warning is about all shared rules, or about twenty fresh ones") {
         Random random = pixel_stream(settings, x, 0);
         squares += std::pow(noise_gain(*rules.fresh_rule(random)), 2) / 20;
     }
-    CHECK(warning_of(settings) == Containing{formatted("count %.2g times", std::sqrt(squares))});
+    CHECK(warning_of(settings) == Containing{"samples " + two_digits(std::sqrt(squares)) + " times"});
     settings.method = Method::pool;
     squares = 0;
     const PixelRules shared(settings);
     for (const auto& rule : shared.shared()) squares += std::pow(noise_gain(*rule), 2) / 3;
-    CHECK(warning_of(settings) == Containing{formatted("count %.2g times", std::sqrt(squares))});
+    CHECK(warning_of(settings) == Containing{"samples " + two_digits(std::sqrt(squares)) + " times"});
 }
 
 TEST_CASE("the defaults give no warning at any number of samples and placement") {
@@ -136,4 +137,26 @@ TEST_CASE("the defaults give no warning at any number of samples and placement")
                 settings.seed = seed;
                 CHECK_MESSAGE(warning_of(settings).empty(), row.first << ' ' << samples << ' ' << seed);
             }
+}
+
+TEST_CASE("numbers for people have two digits and no exponent") {
+    for (const auto& [number, text] :
+         {std::pair(1.0, "1"), {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}})
+        CHECK(two_digits(number) == text);
+}
+
+// A light of which one texel of the equator, the fraction f of all directions, has the radiance b, the others 1: its
+// mean is 1 + f (b - 1), its variance f (1 - f) (b - 1)^2.
+TEST_CASE("samples miss a light if its contrast is above half the root of their number") {
+    EnvironmentMap map = even_map(65, 33, 1);
+    map.set(20, 16, {1001, 1001, 1001});
+    const double f = TexelsOnSphere(map).solid_angle(16) / (4 * pi), c = 1000 * std::sqrt(f * (1 - f)) / (1 + 1000 * f);
+    CHECK(relative(contrast(map), c) < 1e-9);
+    const auto most = static_cast<std::size_t>(4 * c * c);
+    CHECK(missed_light(map, most) == Containing{"expect an error of about 50 % of the picture's brightness with"});
+    CHECK(missed_light(map, most) ==
+          Containing{formatted("%zu samples: the standard deviation of the light is", most)});
+    CHECK(missed_light(map, most + 1).empty());
+    CHECK(missed_light(map, 1) == Containing{"about " + two_digits(100 * c) + " %"});
+    CHECK(missed_light(EnvironmentMap(2, 2), 1).empty());
 }

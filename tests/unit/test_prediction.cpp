@@ -105,7 +105,8 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
     const EnvironmentLight light(map, false, 1);
     RenderSettings settings = small_picture(Method::direct, 1, 24);
     const Prediction chosen = samples_for(1.5, 1000, light, settings);
-    settings.method = Method::pool;
+    settings.method = Method::pool;  // the pilots of direct have the usual pool
+    settings.pool = RenderSettings().pool;
     CHECK(samples_for(1.5, 1000, light, settings).samples == chosen.samples);
     settings.samples = static_cast<std::size_t>(chosen.samples);
     CHECK(chosen.rmse == pilot_rmse(light, settings, 0));

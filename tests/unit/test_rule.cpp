@@ -72,18 +72,32 @@ TEST_CASE("the report has directions, z, weights and their sums, and an estimate
     const std::string text = rule_report("0.6 0.8 0 -3\n", {"--noise=0.5", "--matrices"});
     for (const std::string& part :
          {formatted("\n%24.17g %24.17g %24.17g %12.9g %24.17g\n", 0.6, 0.8, 0.0, z, w),
-          formatted("weights sum to %.6g; the integral of 1 is 6.28319. The ratio is %.4g:", w, w / 2 / pi),
-          formatted("S = %.4g times", w / 2 / pi), std::string(" 0 weights are negative"),
+          formatted("weights sum to %.6g, and the integral of 1 is 6.28319. The ratio %.4g would", w, w / 2 / pi),
+          formatted("integral = %.4g (Monte Carlo: 1). No weight is negative.", w / 2 / pi),
           formatted("# The integral of the values: estimate %.9g, amplitude %.6g, standard error %.6g\n", -3 * w,
                     amplitude, amplitude * std::sqrt(Sobolev().zz() - z * w)),
           formatted("# Q, 1 x 1\n%16.9g\n", q), formatted("# Q^-1, 1 x 1\n%16.9g\n", 1 / q)})
         CHECK(text == Containing{part});
     CHECK(!contains(rule_report("0 1 0\n"), "# Q"));
-    CHECK(rule_report("0 1 0 0\n") == Containing{"amplitude 0, standard error unknown, since all values are 0\n"});
+    CHECK(rule_report("0 1 0 0\n") == Containing{"amplitude 0, standard error unknown: the values are 0, or too"});
     const std::string cosine = rule_report("0 1 0 2\n", {"--known=cosine"});
     CHECK(cosine == Containing{"the integral of cos(theta) is 3.14159"});
     CHECK(cosine == Containing{"# The integral of the values times cos(theta): estimate"});
     CHECK(cosine == Containing{formatted("%.9g", SobolevKnownCosine().z(1))});
+}
+
+TEST_CASE("an estimate that is too large fails, and an error bar that is only rounding is unknown") {
+    const auto report = [](const std::string& lines, const std::string& noise) {
+        return rule_report(lines, {"--covariance=squared-exponential", "--length-scale=1000", "--noise=" + noise});
+    };
+    std::string lines;
+    for (const Vec3& w : some_directions(40)) lines += formatted("%.17g %.17g %.17g 1\n", w.x, w.y, w.z);
+    CHECK(report(lines, "1e-7") == Containing{"standard error unknown: what is left of the variance is rounding"});
+    CHECK(report(lines, "1e-2") == Containing{"standard error 0.0"});
+    CHECK(rule_report("0 1 0 5e-324\n") == Containing{"standard error 1.97626e-323"});
+    CHECK(rule_report("0 1 0 5e-324\n", {"--noise=100"}) == Containing{"standard error unknown: the values are 0, or too small"});
+    CHECK_THROWS_WITH(rule_report("0 1 0 1e308\n0.6 0.8 0 1e308\n0 0.8 0.6 1e308\n"),
+                      "the estimate exceeds the largest number, 1.8e308; scale the values down");
 }
 
 // These weights change by 1.1 if directions are rounded to six decimals.

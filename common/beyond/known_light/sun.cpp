@@ -13,7 +13,7 @@ static std::uint64_t z_order(int row, int column) {
 }
 
 Sun::Sun(const EnvironmentMap& map, double threshold)
-    : map_(map), all_(4 * portable::pi * TexelsOnSphere(map).mean(brightness)) {
+    : map_(map), all_(4 * portable::pi * mean_over_directions(map, brightness)) {
     const TexelsOnSphere texels(map);
     const double least = threshold * all_ / (4 * portable::pi);
     for (int row = 0; row < texels.rows(); ++row)

@@ -110,16 +110,12 @@ double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings,
 }
 
 double kurtosis(const EnvironmentMap& map) {
-    const TexelsOnSphere texels(map);
-    const double centre = texels.mean(brightness);
-    const auto squared = [&](Color c) { return (brightness(c) - centre) * (brightness(c) - centre); };
-    const double variance = texels.mean(squared),
-                 fourth = texels.mean([&](Color c) { return squared(c) * squared(c); });
-    return variance > 0 ? fourth / (variance * variance) : 1;
+    const double variance = central_moment(map, 2);
+    return variance > 0 ? central_moment(map, 4) / (variance * variance) : 1;
 }
 
 Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, RenderSettings settings) {
-    if (settings.method == Method::direct) settings.method = Method::pool;
+    if (settings.method == Method::direct) settings.method = Method::pool, settings.pool = RenderSettings().pool;
     const double rays = light.averages ? 0 : 256 * kurtosis(light.environment), limit = static_cast<double>(most);
     const auto predict = [&](double samples) {
         settings.samples = static_cast<std::size_t>(samples);
