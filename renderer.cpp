@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
                                 R"(usage: ./renderer [options] > out.ppm
        ./renderer --method direct --samples 20 --size 100 > direct.ppm
 
-Renders the sphere scene, lit by an environment, with Monte Carlo or Bayesian Monte Carlo. The methods:
+Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo. The methods:
   mc       Monte Carlo: random directions for each pixel, which count the same
   direct   Bayesian Monte Carlo, with a new Gaussian process for each pixel
   single   one Gaussian process for all pixels, turned to the normal

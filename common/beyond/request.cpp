@@ -46,7 +46,7 @@ Image Request::image(const EnvironmentMap& map) const {
     Image errors = predicted_errors(image, render(scene, map, chosen, better_shader(scene, light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);
-    if (format == Format::ppm) return grey_scale(std::move(errors), 2 * predicted);
+    if (format != Format::pfm) return grey_scale(std::move(errors), 2 * predicted);
     return errors;
 }
 }  // namespace bmc::beyond

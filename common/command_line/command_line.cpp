@@ -1,7 +1,5 @@
 #include "command_line/command_line.h"
 
-#include "numerics/work.h"
-
 #include <fcntl.h>
 #include <getopt.h>
 #include <unistd.h>
@@ -12,8 +10,6 @@
 #include <cstdlib>
 
 namespace bmc {
-static const char* program_name = "bmc";  // in front of each line on stderr
-
 static void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
@@ -159,26 +155,6 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
     if (error == std::errc() && stop == end && low <= value && value <= high) return value;
     throw std::invalid_argument("'" + text + "' is not a whole number from " + std::to_string(low) + " to " +
                                 std::to_string(high));
-}
-
-// Nothing here allocates: the problem may be a lack of memory.
-void print_note(const std::string& text) { print_note(text.c_str()); }
-void print_note(const char* text) {
-    constexpr std::size_t most = 300;  // at either end
-    const std::size_t length = std::strlen(text);
-    char shown[2 * most + 8];
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < length; ++i) {
-        if (length > 2 * most && i == most) {
-            for (const char* dots = " ... "; *dots; ++dots) shown[count++] = *dots;
-            i = length - most;
-        }
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool of_utf8 = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
-        shown[count++] = byte < ' ' || byte == 0x7f || of_utf8 ? '?' : text[i];
-    }
-    Progress::show("");
-    std::fprintf(stderr, "%s: %.*s\n", program_name, static_cast<int>(count), shown);
 }
 
 int run_program(const char* name, const std::function<std::string()>& body) {

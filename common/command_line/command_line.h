@@ -4,6 +4,7 @@
 
 #include "numerics/formatted.h"
 #include "numerics/portable_math.h"
+#include "numerics/work.h"
 
 #include <functional>
 #include <initializer_list>
@@ -109,9 +110,4 @@ void Options::add(const char* name, const char* const (&names)[count], T& value,
 // Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after std::invalid_argument,
 // 1 after any other exception. An exception becomes one line on stderr, which begins with the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
-
-// Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
-// long text the middle is left out: it may quote options and files.
-void print_note(const char* text);
-void print_note(const std::string& text);
 }  // namespace bmc

@@ -9,8 +9,8 @@ void add_model_options(Options& options, ModelSettings& s) {
                 max_smoothness);
     options.add("length-scale", "X", "of squared-exponential, from 0.05 (default 1)", s.length_scale, min_length_scale,
                 max_length_scale);
-    options.add("noise", "X", "standard deviation of a sample's error, relative to the amplitude of f (default 0.01)",
-                s.noise, 0, 1000);
+    options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude (default 0.01)", s.noise,
+                0, 1000);
     options.add("known", known_names, s.known, known_remark);
     options.add("placement", placement_names, s.placement);
     options.add_seed(s.seed);

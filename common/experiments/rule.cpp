@@ -1,9 +1,8 @@
 #include "experiments/rule.h"
 
-#include <cstdio>
+#include "numerics/input.h"
+
 #include <cstdlib>
-#include <fstream>
-#include <iostream>
 #include <sstream>
 
 namespace bmc {
@@ -55,17 +54,42 @@ static std::string estimate_line(const GaussianProcess& process, Known known, co
            bar + '\n';
 }
 
-// What is no number counts as NAN.
+// The numbers of a line, without its comment. Throws std::runtime_error for a word that is none.
 static std::vector<double> columns_of(const std::string& line) {
     std::istringstream words(line.substr(0, line.find('#')));
     words.exceptions(std::ios::badbit);  // a lack of memory does not end the line
     std::vector<double> columns;
     for (std::string word; words >> word;) {
         char* end = nullptr;
-        const double column = std::strtod(word.c_str(), &end);
-        columns.push_back(end == word.c_str() + word.size() ? column : NAN);
+        columns.push_back(std::strtod(word.c_str(), &end));
+        if (end != word.c_str() + word.size() || !std::isfinite(columns.back()))
+            throw std::runtime_error("'" + word + "' is not a number" +
+                                     (word.find(',') == std::string::npos
+                                          ? "; # begins a comment"
+                                          : "; blanks stand between columns, not commas"));
     }
     return columns;
+}
+
+// Adds what stands in a line.
+static void add_line(Samples& samples, const std::string& line, std::size_t number) {
+    const std::vector<double> columns = columns_of(line);
+    const std::size_t n = columns.size();
+    if (n == 0) return;
+    if (n < 3 || n > 5)
+        throw std::runtime_error(formatted("expected x y z, x y z value, or x y z z_j weight, not %zu columns", n));
+    const Vec3 w{columns[0], columns[1], columns[2]};
+    if (!(std::fabs(length(w) - 1) <= 1e-6))
+        throw std::runtime_error(formatted("the direction has the length %.9g; divide x, y and z by it", length(w)));
+    if (w.y < 0) throw std::runtime_error(formatted("y = %g is below the horizon; directions have y >= 0", w.y));
+    if (samples.directions.size() == max_process_samples)
+        throw std::runtime_error("at most 4096 directions are allowed");
+    if (!samples.directions.empty() && n != samples.columns)
+        throw std::runtime_error(formatted("%zu columns, where earlier lines have %zu", n, samples.columns));
+    samples.columns = n;
+    samples.directions.push_back(w);
+    samples.lines.push_back(number);
+    if (n > 3) samples.fourth.push_back(columns[3]);
 }
 
 Samples read_samples(std::istream& in) {
@@ -73,26 +97,20 @@ Samples read_samples(std::istream& in) {
     Samples samples;
     char line[4096];
     std::size_t number = 1;
-    for (; in.getline(line, sizeof line) && number < 65536; ++number) {
-        const std::vector<double> columns =
-            columns_of(std::string(line, static_cast<std::size_t>(in.gcount()) - !in.eof()));
-        if (columns.empty()) continue;
-        const std::size_t n = columns.size();
-        const Vec3 w = n >= 3 && n <= 5 ? Vec3{columns[0], columns[1], columns[2]} : Vec3{};
-        if (!(std::fabs(length(w) - 1) <= 1e-6 && w.y >= 0 && std::isfinite(columns.back())))
-            throw std::runtime_error(
-                formatted("line %zu: it should be x y z, x y z value, or x y z z_j weight", number) +
-                ", with a direction (x, y, z) of length 1 and y >= 0");
-        samples.directions.push_back(w);
-        if (n == 4) samples.values.push_back(columns[3]);
-        if (samples.directions.size() > max_process_samples)
-            throw std::runtime_error(formatted("line %zu: at most 4096 directions are allowed", number));
-    }
+    for (; in.getline(line, sizeof line) && number < 65536; ++number) try {
+            std::string text(line, static_cast<std::size_t>(in.gcount()) - !in.eof());
+            if (number == 1 && (text.compare(0, 2, "\xff\xfe") == 0 || text.compare(0, 2, "\xfe\xff") == 0))
+                throw std::runtime_error("the file is UTF-16, as PowerShell's > writes it; save it as UTF-8");
+            if (number == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);  // a byte order mark
+            add_line(samples, text, number);
+        } catch (const std::ios_base::failure&) {
+            throw;
+        } catch (const std::runtime_error& error) {
+            throw std::runtime_error(formatted("line %zu: ", number) + error.what());
+        }
     if (!in.fail() || !in.eof())  // a line too many, or a longer one
         throw std::runtime_error(formatted("line %zu: fewer than 65536 lines of fewer than 4096 characters", number) +
                                  " are allowed");
-    if (!samples.values.empty() && samples.values.size() != samples.directions.size())
-        throw std::runtime_error("there are values in some lines only: all lines have one, or none has");
     if (samples.directions.empty()) throw std::runtime_error("there is no direction in the file");
     return samples;
 }
@@ -106,21 +124,29 @@ void RuleReport::add_options(Options& options) {
     if (!directions.empty()) options.make_idle({"samples", "placement", "seed"}, "--directions");
 }
 
+// Of five columns the fourth is z_j: with another number they are not what this report prints, and would be lost.
+static void require_z(const GaussianProcess& process, const Samples& given) {
+    for (std::size_t j = 0; given.columns == 5 && j < given.fourth.size(); ++j)
+        if (!(std::fabs(given.fourth[j] - process.z()[j]) <= 1e-6 * process.z()[j]))
+            throw std::runtime_error(
+                formatted("line %zu: five columns should be x y z z_j weight, but %.9g is not z_j, ", given.lines[j],
+                          given.fourth[j]) +
+                formatted("which is %.9g with these options; for a value write x y z value", process.z()[j]));
+}
+
 std::string RuleReport::report() const {
     Samples given;
     if (directions.empty()) {
         Random random(settings.seed, 0);
         given.directions = place_directions(settings.placement, samples, random).directions;
     } else {
-        std::ifstream file(directions);
-        if (directions != "-" && !file) throw std::runtime_error(directions + ": this file cannot be read");
-        given = read_samples(directions == "-" ? std::cin : file);
-        if (std::ferror(stdin)) throw std::runtime_error("standard input cannot be read to its end");
+        given = read_file(directions, read_samples);
     }
     const auto covariance = settings.make_covariance();
     const GaussianProcess process(*covariance, settings.noise, given.directions);
+    require_z(process, given);
     std::string text = weights_block(process, settings.known);
-    if (!given.values.empty()) text += estimate_line(process, settings.known, given.values);
+    if (given.columns == 4) text += estimate_line(process, settings.known, given.fourth);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());

@@ -1,24 +1,18 @@
 #include "light/load_environment.h"
 
 #include "light/radiance_hdr.h"
-
-#include <fstream>
-#include <stdexcept>
+#include "numerics/input.h"
+#include "numerics/work.h"
 
 namespace bmc {
 EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
     for (std::size_t i = 0; i < std::size(built_in_lights); ++i)
         if (name == built_in_lights[i]) return built_in_light(i, threads);
-    std::ifstream file(name, std::ios::binary);
-    if (!file)
-        throw std::runtime_error(name + ": no such file, and not a built-in light (desert, bright-desert, " +
-                                 "black-and-white)");
-    try {
-        return read_radiance_hdr(file);
-    } catch (const std::ios_base::failure&) {
-        throw std::runtime_error(name + ": this file cannot be read to its end");
-    } catch (const std::runtime_error& error) {
-        throw std::runtime_error(name + ": " + error.what());
-    }
+    std::vector<std::string> notes;
+    const auto read = [&](std::istream& in) { return read_radiance_hdr(in, notes); };
+    EnvironmentMap map =
+        read_file(name, read, "no such file, and not a built-in light (desert, bright-desert, black-and-white)");
+    for (const std::string& note : notes) print_note("note: " + name + ": " + note);
+    return map;
 }
 }  // namespace bmc

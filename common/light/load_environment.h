@@ -21,10 +21,10 @@ inline std::vector<std::string> one_or_built_in_lights(const std::string& name) 
 }
 
 // The help text of an option that takes the name of a light.
-constexpr const char* environment_help = "a Radiance .hdr file, bright-desert, black-and-white (default desert)";
+constexpr const char* environment_help = "an .hdr file (-: stdin), bright-desert, black-and-white (default desert)";
 constexpr const char* one_environment_help = "one light, as for the renderer (default: each built-in light)";
 
-// The built-in light of this name, or else the one in the .hdr file. threads: how many to use. Throws
-// std::runtime_error, one line that names the file.
+// The built-in light of this name, or else the one in the .hdr file; "-" is standard input. threads: how many to use.
+// Prints notes of what is unusual in the file. Throws std::runtime_error, one line that names the file.
 EnvironmentMap load_environment(const std::string& name = "desert", std::size_t threads = 1);
 }  // namespace bmc

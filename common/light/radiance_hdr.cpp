@@ -19,38 +19,71 @@ std::string header_line(std::istream& in) {
     return text;
 }
 
-struct Header {
-    int width, height;
-    double exposure = 1;  // the radiances of the file are so many times the true ones
-};
+constexpr const char* converter = "; `oiiotool in -o out.hdr` converts it";
 
-double exposure_of(const std::string& line) {
-    double exposure = 0;
-    char more;
-    if (std::sscanf(line.c_str(), "EXPOSURE=%lf %c", &exposure, &more) == 1 && exposure >= 1e-6 && exposure <= 1e6)
-        return exposure;
-    throw std::runtime_error("'" + line + "' is no exposure from 1e-6 to 1e6");
+bool begins_with(const std::string& text, const std::string& beginning) {
+    return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-Header read_header(std::istream& in) {
+// The text after the first '=', without blanks around it.
+std::string value_in(const std::string& line) {
+    const std::size_t begin = line.find_first_not_of(" \t", line.find('=') + 1), end = line.find_last_not_of(" \t");
+    return begin == std::string::npos ? "" : line.substr(begin, end - begin + 1);
+}
+
+// The header, and what it says of each channel: the radiances of the file are so many times the true ones.
+struct Header {
+    int width, height;
+    double factors[3] = {1, 1, 1};
+};
+
+// EXPOSURE has one factor, COLORCORR one for each channel. Several lines multiply.
+void multiply(Header& header, const std::string& line, std::vector<std::string>& notes) {
+    double f[3] = {0, 0, 0};
+    char more;
+    const std::string value = value_in(line);
+    bool right = std::sscanf(value.c_str(), "%lf %lf %lf %c", &f[0], &f[1], &f[2], &more) == 3;
+    if (begins_with(line, "EXPOSURE=")) {
+        right = std::sscanf(value.c_str(), "%lf %c", &f[0], &more) == 1;
+        f[1] = f[2] = f[0];
+    }
+    for (const double factor : f) right = right && factor >= 1e-6 && factor <= 1e6;
+    if (!right) notes.push_back("'" + line + "' is not from 1e-6 to 1e6, and counts as 1");
+    for (int i = 0; right && i < 3; ++i) header.factors[i] *= f[i];
+}
+
+// The first line is #? and the name of a program, any.
+void read_signature(std::istream& in) {
+    char start[9] = {};
+    if (in.peek() != '#') in.get(start, sizeof start, '\0');
+    if (begins_with(start, "v/1\1")) throw std::runtime_error(std::string("an OpenEXR picture") + converter);
+    if (begins_with(start, "version ")) throw std::runtime_error("a pointer of git-lfs; `git lfs pull` gets the file");
+    if (*start || !begins_with(header_line(in), "#?"))
+        throw std::runtime_error(std::string("not a Radiance picture, whose first line begins with #?") + converter);
+}
+
+Header read_header(std::istream& in, std::vector<std::string>& notes) {
     in.exceptions(std::ios::badbit);  // an error of reading does not end the file
-    const std::string program = header_line(in);
-    if (program != "#?RADIANCE" && program != "#?RGBE")
-        throw std::runtime_error("not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
+    read_signature(in);
     Header header{};
     int lines = 0;
     for (std::string line = header_line(in); !line.empty(); line = header_line(in)) {
         if (++lines > 1000) throw std::runtime_error("the header has more than 1000 lines");
-        if (line.compare(0, 7, "FORMAT=") == 0 && line != "FORMAT=32-bit_rle_rgbe")
-            throw std::runtime_error("'" + line + "' is not supported, only FORMAT=32-bit_rle_rgbe is");
-        if (line.compare(0, 9, "EXPOSURE=") == 0) header.exposure *= exposure_of(line);
+        if (begins_with(line, "FORMAT=") && value_in(line) != "32-bit_rle_rgbe")
+            throw std::runtime_error("'" + line + "' is not supported, only 32-bit_rle_rgbe is" + converter);
+        if (begins_with(line, "EXPOSURE=") || begins_with(line, "COLORCORR=")) multiply(header, line, notes);
     }
     const std::string line = header_line(in);
-    char more;
-    if (std::sscanf(line.c_str(), "-Y %9d +X %9d %c", &header.height, &header.width, &more) != 2 || header.width < 1 ||
-        header.height < 1 || std::int64_t{header.width} * header.height > EnvironmentMap::max_texels)
+    char a, b, c, d, more;
+    int first, second;
+    if (std::sscanf(line.c_str(), "%c%c %9d %c%c %9d %c", &a, &b, &first, &c, &d, &second, &more) != 6 || first < 1 ||
+        second < 1 || std::int64_t{first} * second > EnvironmentMap::max_texels)
         throw std::runtime_error("resolution line '" + line + "': it should be '-Y height +X width', with at most " +
                                  std::to_string(EnvironmentMap::max_texels) + " texels");
+    if (a != '-' || b != 'Y' || c != '+' || d != 'X')
+        throw std::runtime_error("'" + line + "' is an orientation that is not supported, only -Y +X is" + converter);
+    header.height = first;
+    header.width = second;
     return header;
 }
 
@@ -63,7 +96,8 @@ unsigned char byte(std::istream& in) {
 Rgbe texel(std::istream& in) {
     Rgbe rgbe;
     for (unsigned char& component : rgbe) component = byte(in);
-    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1) throw std::runtime_error("runs of before 1991: save it anew");
+    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1)
+        throw std::runtime_error(std::string("its runs are of before 1991") + converter);
     return rgbe;
 }
 
@@ -95,9 +129,9 @@ void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanl
 
 }  // namespace
 
-// Without EXPOSURE radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
-EnvironmentMap read_radiance_hdr(std::istream& in) {
-    const Header header = read_header(in);
+// Without factors radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
+EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes) {
+    const Header header = read_header(in, notes);
     std::vector<Rgbe> scanline;
     std::vector<float> rgb;
     for (int row = 0; row < header.height; ++row) {
@@ -105,12 +139,14 @@ EnvironmentMap read_radiance_hdr(std::istream& in) {
         for (const Rgbe& rgbe : scanline) {
             const float scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0f, rgbe[3] - 136);
             for (std::size_t i = 0; i < 3; ++i) {
-                const double radiance = rgbe[i] * static_cast<double>(scale) / header.exposure;
+                const double radiance = rgbe[i] * static_cast<double>(scale) / header.factors[i];
                 if (!(radiance <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
                 rgb.push_back(static_cast<float>(radiance));
             }
         }
     }
+    if (in.peek() != std::char_traits<char>::eof())
+        notes.push_back("bytes follow the last scanline; is the picture as it should be?");
     return EnvironmentMap(header.width, header.height, std::move(rgb));
 }
 }  // namespace bmc

@@ -1,4 +1,4 @@
-// Long work: rows that several threads compute, how far it is, and how long it takes.
+// Long work: rows that several threads compute, how long they take, and what is said meanwhile on standard error.
 #pragma once
 
 #include <functional>
@@ -30,4 +30,10 @@ private:
     const bool outermost_ = begin();
     static bool begin();
 };
+
+// Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
+// long text the middle is left out: it may quote options and files.
+extern const char* program_name;
+void print_note(const char* text);
+void print_note(const std::string& text);
 }  // namespace bmc

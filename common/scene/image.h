@@ -1,4 +1,4 @@
-// An image of linear RGB radiance, and the two formats it is written in.
+// An image of linear RGB radiance, and the formats it is written in.
 #pragma once
 
 #include "numerics/vec3.h"
@@ -24,11 +24,12 @@ struct Image {
 // The linear value in [0, 1] of a code in [0, 1]: the inverse of the sRGB transfer function (IEC 61966-2-1).
 double srgb_to_linear(double code);
 
-enum class Format { ppm, pfm };
-constexpr const char* format_names[] = {"ppm", "pfm"};
+enum class Format { ppm, pfm, bmp };
+constexpr const char* format_names[] = {"ppm", "pfm", "bmp"};
 
 // The image as a file.
 // - ppm: binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].
+// - bmp: the same codes as BMP, which every system opens.
 // - pfm: PFM ("PF"), 32-bit linear floats, little-endian (the header's -1), bottom row first as the format asks.
 std::string encode(const Image& image, Format format);
 }  // namespace bmc

@@ -45,8 +45,8 @@ void PictureRequest::add_options(Options& options) {
     options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
                  [this](const std::string& text) { set_size(settings, text); }});
     options.add("environment", "FILE", environment_help, environment);
-    options.add("exposure", "X", "brighten a PPM by X stops (default 0)", exposure, -100, 100);
-    options.add("format", format_names, format, ": 8-bit sRGB, or linear floats");
+    options.add("exposure", "X", "brighten a PPM or BMP by X stops (default 0)", exposure, -100, 100);
+    options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
     options.add("threads", "T", "number of threads; the picture does not change (default: all processors)",
                 settings.threads, 1, 256);
     const std::string method = std::string("--method ") + name_of(settings.method, method_names);
@@ -78,7 +78,7 @@ Image PictureRequest::image(const EnvironmentMap& light) const {
 }
 
 std::string PictureRequest::file(Image image) const {
-    if (format == Format::ppm) {
+    if (format != Format::pfm) {
         const double factor = portable::pow(2, exposure);
         for (Color& pixel : image.pixels) pixel = factor * pixel;
         warn_of_exposure(image, exposure);

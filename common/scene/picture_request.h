@@ -27,7 +27,7 @@ struct PictureRequest : Experiment {
     // The image of linear radiance. Throws what the Gaussian processes throw.
     virtual Image image(const EnvironmentMap& light) const;
 
-    // The image as a file; a PPM has 2^exposure times the radiance.
+    // The image as a file; a PPM or BMP has 2^exposure times the radiance.
     std::string file(Image image) const;
 };
 

@@ -6,11 +6,11 @@
 #include "numerics/portable_math.h"
 
 #include "../output/picture.h"
+#include "numerics/input.h"
 #include "numerics/statistics.h"
 #include "scene/picture_request.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -32,7 +32,7 @@ struct Number {
 Image stored(Image image, const PictureRequest& request) {
     const double factor = request.format == Format::ppm ? portable::pow(2, request.exposure) : 1;
     for (Color& pixel : image.pixels) pixel = factor * pixel;
-    return linear_light(*parse_picture(encode(image, request.format)));
+    return linear_light(parse_picture(encode(image, request.format)));
 }
 
 Image rendered(const EnvironmentMap& light, const PictureRequest& request) {
@@ -152,16 +152,16 @@ std::string number_differences(const std::vector<Number>& numbers, const std::ve
 }
 
 std::string differences(const std::string& file, const EnvironmentMap& light, PictureRequest& request) {
-    std::ifstream in(file, std::ios::binary);
-    const std::optional<Picture> found = parse_picture({std::istreambuf_iterator<char>(in), {}});
-    if (!found) throw std::runtime_error(file + ": no complete picture, PPM (P6) of codes up to 255 or PFM (PF)");
-    const Image picture = linear_light(*found);
+    const Picture found = read_file(file, [](std::istream& in) {
+        return parse_picture({std::istreambuf_iterator<char>(in), {}});
+    });
+    const Image picture = linear_light(found);
     if (std::min(picture.width, picture.height) < 40)
         throw std::runtime_error(file + ": too small to be judged; it takes at least 40x40 pixels");
     for (int i = 0; i < picture.width * picture.height; ++i)
         if (!std::isfinite(dot(picture(i, 0), {1, 1, 1})))
             return formatted("no finite number in column %d of row %d\n", i % picture.width, i / picture.width);
-    request.format = found->format;
+    request.format = found.format;
     RenderSettings& settings = request.settings;
     settings.width = picture.width, settings.height = picture.height;
     const Image truth = true_picture(light, request);

@@ -55,15 +55,22 @@ std::string describe_errors(const bmc::Image& reference, const bmc::Image& actua
 }  // namespace
 
 std::string picture_difference(const std::string& reference, const std::string& actual, double tolerance) {
-    const std::optional<Picture> expected = parse_picture(reference), found = parse_picture(actual);
-    if (!expected) throw std::runtime_error("the reference is a damaged picture (were its line ends converted?)");
-    if (!found)
-        return bmc::formatted("reference: a picture (%s), here: %zu bytes that are not a complete one",
-                              expected->header.c_str(), actual.size());
-    if (expected->header != found->header) return "header: reference " + expected->header + ", here " + found->header;
-    const bmc::Image expected_light = linear_light(*expected), light = linear_light(*found);
-    const std::vector<std::size_t> pixels = differences(*expected, *found, tolerance);
-    if (pixels.empty() && tolerance == 0) return "no pixel differs, but white space in the header or the sign of a 0";
+    Picture expected{bmc::Format::ppm, "", {1, 1}}, found = expected;
+    try {
+        expected = parse_picture(reference);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(std::string("the reference is damaged: ") + error.what());
+    }
+    try {
+        found = parse_picture(actual);
+    } catch (const std::runtime_error& error) {
+        return "reference: a picture (" + expected.header + "), here: no complete one: " + error.what();
+    }
+    if (expected.header != found.header) return "header: reference " + expected.header + ", here " + found.header;
+    const bmc::Image expected_light = linear_light(expected), light = linear_light(found);
+    const std::vector<std::size_t> pixels = differences(expected, found, tolerance);
+    if (pixels.empty() && tolerance == 0)
+        return "no pixel differs, but the form of the file: white space, text for bytes, or the sign of a 0";
     if (pixels.size() <= (tolerance > 0 ? light.pixels.size() / 1000 : 0)) return "";
-    return describe_first(expected->values, found->values, pixels) + describe_errors(expected_light, light, pixels);
+    return describe_first(expected.values, found.values, pixels) + describe_errors(expected_light, light, pixels);
 }

@@ -1,8 +1,12 @@
 #include "picture.h"
 
+#include "light/radiance_hdr.h"
+#include "numerics/formatted.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
+#include <stdexcept>
 
 namespace {
 
@@ -21,29 +25,74 @@ bool read_word(std::istream& in, Word& word) {
     return static_cast<bool>(in >> word);
 }
 
+// Whether a program wrote the file in text mode: there is a CR before every LF.
+bool has_text_line_ends(const std::string& bytes) {
+    std::size_t ends = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (bytes[i] != '\n') continue;
+        if (i == 0 || bytes[i - 1] != '\r') return false;
+        ++ends;
+    }
+    return ends > 0;
+}
+
+// Throws if there are more or fewer bytes than the header announces.
+void require_size(const std::string& bytes, std::size_t expected) {
+    if (bytes.size() == expected || (bytes.size() == expected + 1 && bytes.back() == '\n')) return;
+    const std::size_t size = bytes.size();
+    std::string text = size < expected ? bmc::formatted("it ends %zu bytes before the last pixel does", expected - size)
+                                       : bmc::formatted("bytes follow the last pixel, %zu of them", size - expected);
+    if (has_text_line_ends(bytes))
+        text += ": it was written in text mode, with CR before LF; open the file in binary mode";
+    throw std::runtime_error(text);
+}
+
+Picture radiance_picture(const std::string& bytes) {
+    std::istringstream in(bytes);
+    std::vector<std::string> notes;
+    const bmc::EnvironmentMap map = bmc::read_radiance_hdr(in, notes);
+    Picture picture{
+        bmc::Format::pfm, bmc::formatted(".hdr %d %d", map.width(), map.height()), {map.width(), map.height()}};
+    for (std::size_t i = 0; i < picture.values.pixels.size(); ++i)
+        picture.values.pixels[i] = map.color(1 + static_cast<int>(i));
+    return picture;
+}
+
 }  // namespace
 
-std::optional<Picture> parse_picture(const std::string& bytes) {
+Picture parse_picture(const std::string& bytes) {
+    if (bytes.compare(0, 2, "#?") == 0) return radiance_picture(bytes);
     std::istringstream in(bytes);
     std::string magic;
     int width = 0, height = 0;
-    double top = 0;  // PPM: the largest code; PFM: the scale
-    if (!read_word(in, magic) || !read_word(in, width) || !read_word(in, height) || !read_word(in, top) || in.get() < 0)
-        return std::nullopt;
-    const bool floats = magic == "PF";
-    if ((!floats && magic != "P6") || !(floats ? top != 0 : top == 255)) return std::nullopt;
-    if (std::min(width, height) < 1 || std::max(width, height) > 9999) return std::nullopt;
+    double top = 0;  // PPM: the largest code; PFM: its size is a factor of all values
+    const bool header = read_word(in, magic) && read_word(in, width) && read_word(in, height) && read_word(in, top);
+    if (magic != "P3" && magic != "P6" && magic != "PF")
+        throw std::runtime_error("it begins with none of P6, P3, PF and #?; a PPM, PFM or .hdr file does");
+    const bool floats = magic == "PF", text = magic == "P3";
+    if (!header || in.get() < 0) throw std::runtime_error("it ends inside the header");
+    if (!(floats ? std::isfinite(top) && top != 0 : top == 255))
+        throw std::runtime_error(bmc::formatted("its largest code is %g; only 255 is supported", top));
+    if (std::min(width, height) < 1 || std::max(width, height) > 9999)
+        throw std::runtime_error(bmc::formatted("its size %d x %d is not from 1 x 1 to 9999 x 9999", width, height));
     const std::size_t begin = static_cast<std::size_t>(in.tellg()), size = floats ? 4 : 1;
-    if (bytes.size() != begin + 3 * size * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-        return std::nullopt;
+    const std::size_t count = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    if (!text) require_size(bytes, begin + size * count);
+    if (text && bytes.size() < begin + 2 * count - 1) throw std::runtime_error("it ends before the last pixel");
     Picture picture{floats ? bmc::Format::pfm : bmc::Format::ppm, bytes.substr(0, begin - 1), {width, height}};
     std::replace(picture.header.begin(), picture.header.end(), '\n', ' ');
+    if (text) picture.header[1] = '6';
     std::size_t at = begin;
     for (int row = 0; row < height; ++row)
         for (int x = 0; x < width; ++x) {
             bmc::Color& pixel = picture.values(x, floats ? height - 1 - row : row);
             for (double* channel : {&pixel.x, &pixel.y, &pixel.z}) {
-                *channel = floats ? float_at(bytes, at, top < 0) : static_cast<unsigned char>(bytes[at]);
+                if (floats)
+                    *channel = std::fabs(top) * float_at(bytes, at, top < 0);
+                else if (!text)
+                    *channel = static_cast<unsigned char>(bytes[at]);
+                else if (!(read_word(in, *channel) && *channel >= 0 && *channel <= 255))
+                    throw std::runtime_error(bmc::formatted("row %d, column %d: no code from 0 to 255", row, x));
                 at += size;
             }
         }

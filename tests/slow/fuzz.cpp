@@ -47,13 +47,14 @@ bool reads_options(std::istream& in) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     const std::string text(bytes, bytes + size);
     check<std::runtime_error>(text, [](std::istream& in) {
-        const Color corner = read_radiance_hdr(in).radiance({0, -1, 0});
+        std::vector<std::string> notes;
+        const Color corner = read_radiance_hdr(in, notes).radiance({0, -1, 0});
         return corner.x >= 0 && corner.y >= 0 && corner.z >= 0;
     });
     check<std::runtime_error>(text, [](std::istream& in) {
         const Samples samples = read_samples(in);
         return !samples.directions.empty() &&
-               (samples.values.empty() || samples.values.size() == samples.directions.size());
+               samples.fourth.size() == (samples.columns == 3 ? 0 : samples.directions.size());
     });
     check<std::invalid_argument>(text, reads_options);
     return 0;

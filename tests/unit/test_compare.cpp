@@ -1,5 +1,6 @@
 // Of tests/output/compare.h: what judges all references.
 #include "../output/compare.h"
+#include "../output/picture.h"
 
 #include "test.h"
 
@@ -50,11 +51,9 @@ TEST_CASE("pictures differ at their first pixel, and by their errors there") {
     CHECK(picture_difference(pfm(1, 1, {2, 1, 1}), pfm(1, 1, {NAN, 2, 1}), 0) ==
           "pixel (x 0, y 0), red: reference 2, here nan; 1 of 1 pixels differs, at most by 1");
     CHECK(picture_difference("P6\n2 1\n255\nabcdef", "P6 2 1\n255\nabcdef", 0) ==
-          "no pixel differs, but white space in the header or the sign of a 0");
-    CHECK(picture_difference(ppm("abcdef"), ppm("abcdef").substr(0, 14), 0) ==
-          Containing{"14 bytes that are not a complete"});
-    CHECK_THROWS_WITH(picture_difference("P6\r\n2 1\r\n255\r\nabcdef", ppm("abcdef"), 0),
-                      "the reference is a damaged picture (were its line ends converted?)");
+          "no pixel differs, but the form of the file: white space, text for bytes, or the sign of a 0");
+    CHECK_THROWS_WITH(picture_difference("P6\n2 1\n255\nabcde", ppm("abcdef"), 0),
+                      "the reference is damaged: it ends 1 bytes before the last pixel does");
 }
 
 TEST_CASE("a PFM begins with the bottom row, and the sign of its scale orders its bytes") {
@@ -72,4 +71,30 @@ TEST_CASE("tolerant, one pixel in a thousand may differ") {
     spot[6] = 'b';
     CHECK(picture_difference(ppm(grey), ppm(spot), 1e-3) ==
           Containing{"pixel (x 1, y 0), blue: reference 97, here 98; 2 of"});
+}
+
+TEST_CASE("a picture that is not read is named: how many bytes, text mode, another kind") {
+    const auto difference = [](const std::string& actual) { return picture_difference(ppm("abcdef"), actual, 0); };
+    CHECK(difference(ppm("abcdef").substr(0, 14)) == Containing{"it ends 3 bytes before the last pixel does"});
+    CHECK(difference(ppm("abcdef") + "\n") == Containing{"no pixel differs, but the form"});
+    CHECK(difference(ppm("abcdef") + "\r\n") == Containing{"bytes follow the last pixel, 2 of them"});
+    CHECK(!contains(difference(ppm("abcdef") + "\r\n"), "text mode"));
+    CHECK(difference("P6\r\n2 1\r\n255\r\na\r\nbcde") ==
+          Containing{"2 of them: it was written in text mode, with CR before LF; open the file in binary mode"});
+    CHECK(difference("\x89PNG\r\n") == Containing{"it begins with none of P6, P3, PF and #?"});
+    CHECK(difference("P6\n2 1\n65535\nabcdef") == Containing{"its largest code is 65535; only 255 is supported"});
+    CHECK(difference("P6\n2 0\n255\n") == Containing{"its size 2 x 0 is not from 1 x 1"});
+    CHECK(difference("P6\n2") == Containing{"it ends inside the header"});
+}
+
+TEST_CASE("P3 is a PPM in text; a PFM's scale multiplies; an .hdr is linear light") {
+    const std::string text = "P3\n2 1\n255\n97 98 99\n100 101 102\n";
+    CHECK(picture_difference(ppm("abcdef"), text, 1e-3) == "");
+    CHECK(picture_difference(ppm("abcdef"), text.substr(0, text.size() - 5), 0) ==
+          Containing{"row 0, column 1: no code from 0 to 255"});
+    CHECK(picture_difference(ppm("abcdef"), "P3\n9999 9999\n255\n1", 0) == Containing{"it ends before the last pixel"});
+    CHECK(parse_picture(pfm(1, 1, {2, 1, 0.5}, "-2")).values(0, 0) == Vec3{4, 2, 1});
+    CHECK(parse_picture(pfm(1, 1, {2, 1, 0.5}, "0.5")).values(0, 0) == Vec3{1, 0.5, 0.25});
+    const Picture light = parse_picture("#?RADIANCE\n\n-Y 1 +X 2\n" + std::string("\1\2\3\210\4\5\6\210"));
+    CHECK(linear_light(light).pixels == std::vector<Color>{{1, 2, 3}, {4, 5, 6}});
 }

@@ -16,7 +16,7 @@ TEST_CASE("a light from a file has the file's texels") {
 TEST_CASE("an error in the file of a light names the file") {
     const TemporaryFile bad("P6");
     CHECK(message_of([&] { load_environment(bad.name); }) ==
-          bad.name + ": not a Radiance picture: its first line should be #?RADIANCE or #?RGBE");
+          bad.name + ": not a Radiance picture, whose first line begins with #?; `oiiotool in -o out.hdr` converts it");
     CHECK(message_of([&] { load_environment("no such file"); }) ==
           "no such file: no such file, and not a built-in light (desert, bright-desert, black-and-white)");
 }

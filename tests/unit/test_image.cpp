@@ -25,6 +25,17 @@ TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
     CHECK(encode(image, Format::ppm) == "P6\n2 2\n255\n" + text_of({0, 255, 188, 0, 255, 10, 0, 0, 0, 0, 0, 255}));
 }
 
+// A row of 3 pixels has 9 bytes, and 3 of padding.
+TEST_CASE("BMP: header, rows from the bottom, padded, blue first") {
+    Image image(3, 2);
+    image(0, 0) = {1, 0, 0};
+    image(2, 1) = {0, 0.5, 1};
+    const std::string bmp = encode(image, Format::bmp);
+    CHECK(bmp.substr(0, 30) ==
+          "BM" + text_of({78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0}));
+    CHECK(bmp.substr(54) == text_of({0, 0, 0, 0, 0, 0, 255, 188, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+}
+
 TEST_CASE("a byte stands for the light of the codes within half a unit, by sRGB's formula") {
     for (int byte = 1; byte < 256; ++byte) {
         CAPTURE(byte);

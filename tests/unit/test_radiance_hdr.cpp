@@ -1,9 +1,11 @@
 #include "light/radiance_hdr.h"
 #include "test.h"
 
+static std::vector<std::string> notes;  // of the last map
 static EnvironmentMap read_hdr(const std::string& content) {
     std::istringstream in(content);
-    return read_radiance_hdr(in);
+    notes.clear();
+    return read_radiance_hdr(in, notes);
 }
 
 static std::vector<double> channels(const EnvironmentMap& map) {
@@ -36,6 +38,19 @@ TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exp
 TEST_CASE("a file's radiances are the true ones times all of its exposures") {
     const std::string rest = "\n\n-Y 1 +X 1\n" + bytes_of({1, 2, 3, 136});
     CHECK(channels(read_hdr("#?RGBE\nEXPOSURE=2\nEXPOSURE= 0.25" + rest)) == std::vector<double>{2, 4, 6});
+    CHECK(channels(read_hdr("#?RGBE\nCOLORCORR=1 0.5 2\nCOLORCORR= 2 2 2 " + rest)) ==
+          std::vector<double>{0.5, 2, 0.75});
+    CHECK(notes.empty());
+}
+
+TEST_CASE("an exposure that is none, or out of range, counts as 1, with a note") {
+    const std::string rest = "\n\n-Y 1 +X 1\n" + bytes_of({1, 2, 3, 136});
+    for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1e7", "EXPOSURE=1 x",
+                                   "EXPOSURE=", "COLORCORR=1 1", "COLORCORR=1 1 0", "COLORCORR=1 1 1 1"}) {
+        CAPTURE(line);
+        CHECK(channels(read_hdr("#?RADIANCE\n" + line + rest)) == std::vector<double>{1, 2, 3});
+        CHECK(notes == std::vector<std::string>{"'" + line + "' is not from 1e-6 to 1e6, and counts as 1"});
+    }
 }
 
 TEST_CASE("coded scanlines of 8 to 32767 texels decode runs and literals of each component") {
@@ -63,28 +78,39 @@ TEST_CASE("a first texel that looks coded, but for a width, begins a flat scanli
 TEST_CASE("a header may have CRLF, other variables, and no format") {
     const std::string texel = bytes_of({1, 2, 3, 136});
     for (const std::string& file : {"#?RGBE\r\n# comment\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n" + texel,
-                                    "#?RADIANCE\nSOFTWARE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel + "garbage"})
+                                    "#?AUTOPANO\nSOFTWARE= 2.5\nGAMMA=1\n\n-Y 1 +X 1\n" + texel,
+                                    "#?RADIANCE \nFORMAT= 32-bit_rle_rgbe\t \n\n-Y 1 +X 1\n" + texel}) {
         CHECK_MESSAGE((channels(read_hdr(file)) == std::vector<double>{1, 2, 3}), file);
+        CHECK(notes.empty());
+    }
+    read_hdr("#?RADIANCE\n\n-Y 1 +X 1\n" + texel + "x");
+    CHECK(notes == std::vector<std::string>{"bytes follow the last scanline; is the picture as it should be?"});
 }
 
 TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with the reason") {
     const auto refused = [](const std::string& file, const std::string& reason) {
         CHECK(message_of([&] { read_hdr(file); }) == Containing{reason});
     };
-    refused("P6\n1 1\n255\n", "first line should be #?RADIANCE or #?RGBE");
+    refused("P6\n1 1\n255\n", "not a Radiance picture, whose first line begins with #?; `oiiotool in -o out.hdr`");
+    refused("# RADIANCE\n\n-Y 1 +X 1\n", "not a Radiance picture");
+    refused("v/1\1\2\0\0\0channels", "an OpenEXR picture; `oiiotool in -o out.hdr` converts it");
+    refused("version https://git-lfs.github.com/spec/v1\n", "a pointer of git-lfs; `git lfs pull` gets the file");
     refused("#?RADIANCE", "the file ends inside the header");
     refused("#?RADIANCE\n" + std::string(5000, 'x'), "a line of the header is too long");
     std::string lines = "#?RADIANCE\n";
     for (int i = 0; i < 1001; ++i) lines += "x\n";
     refused(lines, "the header has more than 1000 lines");
-    refused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", "'FORMAT=32-bit_rle_xyze' is not supported");
-    for (const std::string size : {"+Y 1 +X 1", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px",
-                                   "-Y 8193 +X 8192", "-Y 4294967299 +X 1"})
+    refused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n",
+            "'FORMAT=32-bit_rle_xyze' is not supported, only 32-bit_rle_rgbe is; `oiiotool in -o out.hdr` converts it");
+    for (const std::string size : {"+Y 1 +X 1", "-Y 1 -X 1", "+X 1 -Y 1"})
+        refused(hdr(size, ""), "'" + size + "' is an orientation that is not supported, only -Y +X is; `oiiotool");
+    for (const std::string size :
+         {"-Y 1 +X", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 8193 +X 8192", "-Y 4294967299 +X 1"})
         refused(hdr(size, ""), "resolution line '" + size + "': it should be '-Y height +X width'");
     const auto row_refused = [&](const std::vector<int>& bytes, const std::string& reason) {
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
     };
-    row_refused({1, 1, 1, 2}, "runs of before 1991: save it anew");
+    row_refused({1, 1, 1, 2}, "its runs are of before 1991; `oiiotool in -o out.hdr` converts it");
     for (const int code : {137, 9, 0, 128})
         row_refused({2, 2, 0, 8, code, 1, 1, 1, 1, 1, 1, 1, 1, 1}, "a run is empty, or ends after");
     row_refused({2, 2, 0, 9}, "the scanline announces another width than the header");
@@ -97,6 +123,6 @@ TEST_CASE("an error of reading is not the end of a map, wherever it is") {
     for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
         FailingBuffer buffer(whole.substr(0, bytes));
         std::istream in(&buffer);
-        CHECK_MESSAGE(message_of([&] { read_radiance_hdr(in); }) == Containing{"an error of reading"}, bytes);
+        CHECK_MESSAGE(message_of([&] { read_radiance_hdr(in, notes); }) == Containing{"an error of reading"}, bytes);
     }
 }

@@ -18,9 +18,12 @@ static std::string rule_report(const std::string& content, std::vector<std::stri
 TEST_CASE("directions are read with or without values, and as the report prints them") {
     const Samples samples = samples_in("# x y z value\r\n0 1 0 2.5\r\n\n0.6 0.8 0 -1e3 # low\n\t0.0 0 -1\t7");
     CHECK(samples.directions == std::vector<Vec3>{{0, 1, 0}, {0.6, 0.8, 0}, {0, 0, -1}});
-    CHECK(samples.values == std::vector<double>{2.5, -1000, 7});
-    CHECK(samples_in("0 1 0\n1 0 0\n").values.empty());
-    CHECK(samples_in("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n").values.empty());
+    CHECK(samples.fourth == std::vector<double>{2.5, -1000, 7});
+    CHECK(samples.columns == 4);
+    CHECK(samples_in("\xef\xbb\xbf"
+                     "0 1 0\n1 0 0\n")
+              .columns == 3);
+    CHECK(samples_in("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n").columns == 5);
     CHECK(samples_in("0.8000008 0.6 0\n").directions.size() == 1);  // a length of 1 + 6.4e-7
 }
 
@@ -29,20 +32,40 @@ static void refused(const std::string& content, const std::string& reason) {
     CHECK(message_of([&] { samples_in(content); }) == Containing{reason});
 }
 
-TEST_CASE("a line that is no direction is named, with what a line should be") {
-    refused("0 1 0\n\n0 1 x\n", "line 3: it should be x y z, x y z value, or x y z z_j weight");
-    const std::string should_be =
-        "line 1: it should be x y z, x y z value, or x y z z_j weight, with a direction (x, y, z)"
-        " of length 1 and y >= 0";
-    for (const char* line : {"0,1,0\n", "0 1 nan\n", "0 1 0 1e400", "0 1\n", "0 1 0 1 1 1\n", "0 1.000002 0\n",
-                             "0 0.999998 0\n", "1 -1e-300 0\n"})
-        refused(line, should_be);
-    refused(std::string("0 1 0 5\0\n", 9), should_be);
+TEST_CASE("a line that is no direction is named, with what is wrong and what to do") {
+    refused("0 1 0\n\n0 1 x\n", "line 3: 'x' is not a number; # begins a comment");
+    for (const char* word : {"nan", "inf", "1e400", "1x", "0x"})
+        refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not a number", word));
+    refused("x y z value\n0 1 0 1\n", "line 1: 'x' is not a number; # begins a comment");
+    refused("0,1,0\n", "line 1: '0,1,0' is not a number; blanks stand between columns, not commas");
+    refused("0 1 0 abc 2\n", "line 1: 'abc' is not a number");
+    for (const auto& [line, count] : {std::pair("0 1\n", 2), {"0 1 0 1 1 1\n", 6}})
+        refused(line, formatted("line 1: expected x y z, x y z value, or x y z z_j weight, not %d columns", count));
+    for (const auto& [y, shown] : {std::pair("1.000002", "1.000002"), {"0.9991", "0.9991"}, {"0", "0"}})
+        refused(formatted("0 %s 0\n", y), formatted("line 1: the direction has the length %s; divide x, y and", shown));
+    refused("0 1 0\n1 -1e-17 0\n", "line 2: y = -1e-17 is below the horizon; directions have y >= 0");
+    refused(std::string("0 1 0 5\0\n", 9), "line 1: '5");
+    for (const char* mark : {"\xff\xfe", "\xfe\xff"})
+        refused(mark + std::string("0"), "line 1: the file is UTF-16, as");
 }
 
-TEST_CASE("values in some lines only are refused") {
-    for (const char* lines : {"0 1 0\n0 1 0 5\n", "0 1 0 5\n0 1 0\n"})
-        refused(lines, "there are values in some lines only");
+TEST_CASE("lines of another number of columns than those before are refused") {
+    for (const char* lines : {"0 1 0\n0 1 0 5\n", "0 1 0 5\n0 1 0\n", "0 1 0 5\n0 1 0 5 1\n"})
+        refused(lines, "line 2: ");
+    refused("0 1 0 5\n0 1 0\n", "line 2: 3 columns, where earlier lines have 4");
+}
+
+TEST_CASE("of five columns the fourth is z_j, or the line is named") {
+    const double z = Sobolev().z(0.8);
+    const auto file = [&](double fourth) {
+        return formatted("0 1 0 %.9g 1\n\n0.6 0.8 0 %.9g 1", Sobolev().z(1), fourth);
+    };
+    CHECK(rule_report(file((1 + 9e-7) * z)) == rule_report("0 1 0\n0.6 0.8 0"));
+    CHECK(message_of([&] { rule_report(file((1 + 1.1e-6) * z)); }) ==
+          Containing{"line 3: five columns should be x y z"});
+    CHECK(
+        message_of([&] { rule_report(file(2)); }) ==
+        Containing{formatted("but 2 is not z_j, which is %.9g with these options; for a value write x y z value", z)});
 }
 
 TEST_CASE("the number of directions is 1 to 4096, and that of lines and characters limited") {
@@ -95,7 +118,8 @@ TEST_CASE("an estimate that is too large fails, and an error bar that is only ro
     CHECK(report(lines, "1e-7") == Containing{"standard error unknown: what is left of the variance is rounding"});
     CHECK(report(lines, "1e-2") == Containing{"standard error 0.0"});
     CHECK(rule_report("0 1 0 5e-324\n") == Containing{"standard error 1.97626e-323"});
-    CHECK(rule_report("0 1 0 5e-324\n", {"--noise=100"}) == Containing{"standard error unknown: the values are 0, or too small"});
+    CHECK(rule_report("0 1 0 5e-324\n", {"--noise=100"}) ==
+          Containing{"standard error unknown: the values are 0, or too small"});
     CHECK_THROWS_WITH(rule_report("0 1 0 1e308\n0.6 0.8 0 1e308\n0 0.8 0.6 1e308\n"),
                       "the estimate exceeds the largest number, 1.8e308; scale the values down");
 }
@@ -120,5 +144,5 @@ TEST_CASE("directions are drawn from stream 0 if no file is given") {
 TEST_CASE("a file of directions that is not there is named") {
     RuleReport report;
     report.directions = "no such file";
-    CHECK(message_of([&] { report.report(); }) == "no such file: this file cannot be read");
+    CHECK(message_of([&] { report.report(); }) == "no such file: there is no such file");
 }
