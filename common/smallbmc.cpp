@@ -75,7 +75,7 @@ int main() {
         for (Vec& o : rule.omega) { const double u = uniform(), v = uniform(); o = direction(u, v); }
         rule.w = weights(rule.omega);
     }
-    std::printf("P6\n%d %d\n255\n", width, height);
+    std::printf("P3\n%d %d\n255\n", width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const Vec eye{0, 0, 0}, ray = unit({x + 0.5 - width / 2, height / 2 - y - 0.5, -1.6 * height});
@@ -94,6 +94,6 @@ int main() {
                 }
             }
             for (const double c : {colour.x, colour.y, colour.z})
-                std::putchar(static_cast<int>(255 * std::pow(std::fmin(std::fmax(c, 0), 1), 1 / 2.2) + 0.5));
+                std::printf("%d\n", static_cast<int>(255 * std::pow(std::fmin(std::fmax(c, 0), 1), 1 / 2.2) + 0.5));
         }
 }
