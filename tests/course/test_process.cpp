@@ -12,16 +12,16 @@ namespace {
 const Sobolev covariance;
 const double noise = 0.1;
 const std::vector<Vec3> directions = {{0, 1, 0}, {0.6, 0.8, 0}, {0, 0.28, 0.96}, {-0.8, 0, 0.6}};
-const std::size_t n = directions.size();
+const std::size_t count = directions.size();
 const double rounding = 1e-12;  // numbers here are about 1, and have some 16 digits
 }  // namespace
 
 TEST_CASE("U^T U = Q, and U is 0 below its diagonal") {
     const Matrix q = covariance_matrix(covariance, noise, directions), u = Cholesky(q).upper();
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) {
             double product = 0;
-            for (std::size_t m = 0; m < n; ++m) product += u(m, i) * u(m, j);
+            for (std::size_t m = 0; m < count; ++m) product += u(m, i) * u(m, j);
             CHECK(std::fabs(product - q(i, j)) < rounding);
             if (i > j) CHECK(u(i, j) == 0);
         }
@@ -30,9 +30,9 @@ TEST_CASE("U^T U = Q, and U is 0 below its diagonal") {
 TEST_CASE("the weights solve Q w = z") {
     const GaussianProcess process(covariance, noise, directions);
     const Matrix q = covariance_matrix(covariance, noise, directions);
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         double product = 0;
-        for (std::size_t j = 0; j < n; ++j) product += q(i, j) * process.weights()[j];
+        for (std::size_t j = 0; j < count; ++j) product += q(i, j) * process.weights()[j];
         CHECK(std::fabs(product - process.z()[i]) < rounding * process.z()[i]);
     }
 }
