@@ -215,6 +215,10 @@ void for_each_positive_matrix(Function f) {
 void upper_factor_values() {
     for_each_positive_matrix([](const Matrix& a, double tolerance) {
         const Matrix u = Cholesky(a).upper();
+        double below = 0;
+        for (std::size_t i = 1; i < u.rows(); ++i)
+            for (std::size_t j = 0; j < i; ++j) below = std::max(below, std::fabs(u(i, j)));
+        value("the largest absolute value below the diagonal of U", below, 0);
         matrix("U^T U, which should be A,", transposed_times(u, u), 1e-11);
         matrix("U", u, tolerance);
     });
