@@ -29,23 +29,6 @@ TEST_CASE("white brightness and noise gain are those of the weights in a picture
     CHECK(relative(noise_gain(lattice), 1) < 1e-6);
 }
 
-TEST_CASE("Monte Carlo has equal weights, and a Bayesian rule those of its process") {
-    for (const Known known : {Known::nothing, Known::cosine})
-        for (const std::size_t n : {1u, 3u, 40u}) {
-            const auto k = covariance_of(CovarianceFamily::sobolev, 1.5, known);
-            const QuadratureRule mc = monte_carlo_rule(
-                                     {some_directions(n), known == Known::cosine ? Known::cosine : Known::nothing}),
-                                 bayes = bayesian_rule(*k, 0.1, some_directions(n));
-            INFO("known, n: ", known, ", ", n);
-            CHECK(mc.known == known);
-            CHECK(bayes.known == known);
-            CHECK(mc.directions == some_directions(n));
-            CHECK(bayes.directions == some_directions(n));
-            CHECK(mc.weights == std::vector<double>(n, known_integral(known) / static_cast<double>(n)));
-            CHECK(bayes.weights == GaussianProcess(*k, 0.1, some_directions(n)).weights());
-        }
-}
-
 TEST_CASE("settings make the covariance of their family, with its own parameter") {
     ModelSettings settings;
     settings.smoothness = 1.25;
