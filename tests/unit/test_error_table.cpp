@@ -58,26 +58,6 @@ static ErrorTables tables(const std::vector<std::string>& words) {
     return all;
 }
 
-TEST_CASE("the tables have a line for each number of samples, a refused one, too") {
-    std::string output;
-    try {
-        tables({"--samples=4,1,50", "--bmc-estimates=2", "--covariance=squared-exponential", "--length-scale=100",
-                "--noise=0"})
-            .report();
-    } catch (const PartialOutput& incomplete) {
-        output = incomplete.output + incomplete.what();
-    }
-    CHECK(output == Containing{"\nno Gaussian process with these samples: 50; the matrix of 50 rows is not positive"});
-    const auto rows = rows_of(output);
-    REQUIRE(rows.size() == 4 * 3 + 1);
-    CHECK(rows[0][0] == "4");
-    CHECK(rows[1][0] == "1");
-    CHECK(rows[1][3] != "-");
-    CHECK(rows[2][3] == "-");
-    CHECK(rows[2][5] == "-");
-    CHECK(rows_of(tables({"--samples=2", "--bmc-estimates=2", "--mc-estimates=3"}).report()).size() == 4);
-}
-
 TEST_CASE("mistakes in the options of the tables are refused") {
     for (const std::string list : {"", "1,", ",1", "0", "4097", "1, 2"})
         CHECK_THROWS_AS_MESSAGE(tables({"--samples=" + list}), std::invalid_argument, list);
