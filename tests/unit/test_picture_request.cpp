@@ -108,25 +108,6 @@ TEST_CASE("weights that are too bright give a warning, and the default cures the
               " % too bright, more than twice Monte Carlo's error; take the default method, covariance and noise"});
 }
 
-// One rule of direct may be far off where twenty are not, and no rule of 85 random directions is like another.
-TEST_CASE("the warning is about all shared rules, or about twenty fresh ones") {
-    RenderSettings settings = small_picture(Method::direct, 30);
-    settings.covariance = CovarianceFamily::squared_exponential;
-    settings.length_scale = 0.5;
-    const PixelRules rules(settings);
-    double squares = 0;
-    for (int x = 0; x < 20; ++x) {
-        Random random = pixel_stream(settings, x, 0);
-        squares += std::pow(noise_gain(*rules.fresh_rule(random)), 2) / 20;
-    }
-    CHECK(warning_of(settings) == Containing{"samples " + two_digits(std::sqrt(squares)) + " times"});
-    settings.method = Method::pool;
-    squares = 0;
-    const PixelRules shared(settings);
-    for (const auto& rule : shared.shared()) squares += std::pow(noise_gain(*rule), 2) / 3;
-    CHECK(warning_of(settings) == Containing{"samples " + two_digits(std::sqrt(squares)) + " times"});
-}
-
 TEST_CASE("the defaults give no warning at any number of samples and placement") {
     for (const auto& row : named<Placement>(placement_names))
         for (const std::size_t samples : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 89u, 144u})
