@@ -22,32 +22,6 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture"
     CHECK(s.height == 7);
 }
 
-TEST_CASE("more samples than a process can have are for Monte Carlo on a lattice") {
-    PictureRequest request;
-    for (const auto& row : named<Method>(method_names))
-        for (const Placement placement : {Placement::uniform, Placement::fibonacci})
-            for (const std::size_t samples : {4096u, 4097u}) {
-                request.settings = small_picture(row.second, samples, 12, placement);
-                const bool mc = row.second == Method::mc, possible = samples == 4096 || (mc && is_lattice(placement));
-                CAPTURE(samples);
-                CHECK_MESSAGE(message_of([&] { request.require_possible(); }).empty() == possible, row.first);
-            }
-}
-
-TEST_CASE("a PPM has 2^exposure times the light of the picture, a PFM the light itself") {
-    PictureRequest request;
-    request.exposure = -2;
-    Image image(2, 1);
-    image.pixels = {{1, 0.5, 3}, {0.25, 0, 4}};
-    request.format = Format::pfm;
-    CHECK(request.file(image) == encode(image, Format::pfm));
-    request.format = Format::ppm;
-    std::string file;
-    stderr_of([&] { file = request.file(image); });
-    for (Color& pixel : image.pixels) pixel = 0.25 * pixel;
-    CHECK(file == encode(image, Format::ppm));
-}
-
 TEST_CASE("more than a tenth of the objects' pixels above white gives a warning") {
     const auto warning = [](double grey, double black_fraction, double exposure) {
         PictureRequest request;

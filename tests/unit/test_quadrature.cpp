@@ -28,12 +28,3 @@ TEST_CASE("white brightness and noise gain are those of the weights in a picture
     CHECK(relative(white_brightness(lattice), 1) < 1e-14);  // cosines in equal steps
     CHECK(relative(noise_gain(lattice), 1) < 1e-6);
 }
-
-TEST_CASE("settings make the covariance of their family, with its own parameter") {
-    ModelSettings settings;
-    settings.smoothness = 1.25;
-    settings.length_scale = 0.5;
-    CHECK(settings.make_covariance()->k(2) == GeneralSobolev(1.25).k(2));
-    settings.covariance = CovarianceFamily::squared_exponential;
-    CHECK(settings.make_covariance()->k(2) == SquaredExponential(0.5).k(2));
-}
