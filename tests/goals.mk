@@ -65,8 +65,8 @@ SUBMISSION ?= .
 grade:
 	BUILD=$(BUILD) CXX="$(CXX)" tests/course/grade "$(SUBMISSION)"
 
-mutations: all $(BUILD)/unit_tests $(BUILD)/compare
-	BUILD=$(BUILD) tests/slow/mutations
+mutations: doctest
+	tests/slow/mutations
 
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) tests/slow/portability
@@ -74,10 +74,10 @@ portability: all $(BUILD)/compare
 # All sources of common/, or all unit tests, as one: a fifth of the time where they only run. One source hides a
 # missing #include, so the programs and one configuration of portability do without.
 $(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/*/*.cpp)
-$(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp)
+$(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp) tests/unit
 $(BUILD)/%_sources.cpp:
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(abspath $^) > $@
+	@printf '#include "%s"\n' $(abspath $(filter %.cpp,$^)) > $@
 $(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
 	$(call say,CXX $<) $(COMPILE) -w -Itests/unit $(EXTRA) -MMD -MP -c $< -o $@
 ONE_SOURCE = HEADERS= COMMON='$$(BUILD)/common_sources.o' UNIT_AS_ONE=yes
