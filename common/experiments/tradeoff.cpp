@@ -72,8 +72,8 @@ static const char* const meaning =
     R"(# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its
 # standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean square
 # of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
-# integrand. c, the standard deviation of the light over its mean, says what a light costs: the rmse of mc is about
-# c / sqrt(samples) of the picture's brightness.
+# integrand. c, the standard deviation of the light over its mean, says what a light costs: mc errs by about
+# sqrt((1 + 4 c^2) / (3 samples)) of the picture's brightness.
 )";
 static const char* const measured =
     R"(# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is
