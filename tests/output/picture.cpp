@@ -40,10 +40,10 @@ bool has_text_line_ends(const std::string& bytes) {
 void require_size(const std::string& bytes, std::size_t expected) {
     if (bytes.size() == expected || (bytes.size() == expected + 1 && bytes.back() == '\n')) return;
     const std::size_t size = bytes.size();
-    std::string text = size < expected ? bmc::formatted("it ends %zu bytes before the last pixel does", expected - size)
-                                       : bmc::formatted("bytes follow the last pixel, %zu of them", size - expected);
+    std::string text = size < expected ? bmc::formatted("bytes that are missing at the end: %zu", expected - size)
+                                       : bmc::formatted("bytes behind the last pixel: %zu", size - expected);
     if (has_text_line_ends(bytes))
-        text += ": it was written in text mode, with CR before LF; open the file in binary mode";
+        text += "; it was written in text mode, with CR before LF: open the file in binary mode";
     throw std::runtime_error(text);
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("pictures differ at their first pixel, and by their errors there") {
     CHECK(picture_difference("P6\n2 1\n255\nabcdef", "P6 2 1\n255\nabcdef", 0) ==
           "no pixel differs, but the form of the file: white space, text for bytes, or the sign of a 0");
     CHECK_THROWS_WITH(picture_difference("P6\n2 1\n255\nabcde", ppm("abcdef"), 0),
-                      "the reference is damaged: it ends 1 bytes before the last pixel does");
+                      "the reference is damaged: bytes that are missing at the end: 1");
 }
 
 TEST_CASE("a PFM begins with the bottom row, and the sign of its scale orders its bytes") {
@@ -75,12 +75,12 @@ TEST_CASE("tolerant, one pixel in a thousand may differ") {
 
 TEST_CASE("a picture that is not read is named: how many bytes, text mode, another kind") {
     const auto difference = [](const std::string& actual) { return picture_difference(ppm("abcdef"), actual, 0); };
-    CHECK(difference(ppm("abcdef").substr(0, 14)) == Containing{"it ends 3 bytes before the last pixel does"});
+    CHECK(difference(ppm("abcdef").substr(0, 14)) == Containing{"bytes that are missing at the end: 3"});
     CHECK(difference(ppm("abcdef") + "\n") == Containing{"no pixel differs, but the form"});
-    CHECK(difference(ppm("abcdef") + "\r\n") == Containing{"bytes follow the last pixel, 2 of them"});
+    CHECK(difference(ppm("abcdef") + "\r\n") == Containing{"bytes behind the last pixel: 2"});
     CHECK(!contains(difference(ppm("abcdef") + "\r\n"), "text mode"));
     CHECK(difference("P6\r\n2 1\r\n255\r\na\r\nbcde") ==
-          Containing{"2 of them: it was written in text mode, with CR before LF; open the file in binary mode"});
+          Containing{"last pixel: 2; it was written in text mode, with CR before LF: open the file in binary mode"});
     CHECK(difference("\x89PNG\r\n") == Containing{"it begins with none of P6, P3, PF and #?"});
     CHECK(difference("P6\n2 1\n65535\nabcdef") == Containing{"its largest code is 65535; only 255 is supported"});
     CHECK(difference("P6\n2 0\n255\n") == Containing{"its size 2 x 0 is not from 1 x 1"});
