@@ -55,10 +55,10 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
             std::vector<Vec3> directions = directions_of_estimate(settings, samples, e).directions;
             add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, settings.known);
         }
-    } catch (const NotPositiveDefinite& refused) {
+    } catch (const NotPositiveDefinite& error) {
         for (ErrorRow& row : rows) {
             row.bmc = row.predicted = {};
-            row.refusal = refused.what();
+            row.failure = error.what();
         }
     }
     return rows;
@@ -87,7 +87,7 @@ void ErrorTables::add_options(Options& options) {
 std::string ErrorTables::report() const {
     const std::vector<Integrand> integrands = practice_integrands(integrand);
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
-    std::string text, refused, reason;
+    std::string text, failed, reason;
     double all_work = 0;
     for (const std::size_t n : settings.samples)
         all_work += static_cast<double>(settings.mc_estimates) * mc_work(n) +
@@ -96,14 +96,13 @@ std::string ErrorTables::report() const {
     for (const std::size_t n : settings.samples) {
         const std::vector<ErrorRow> rows = error_rows(integrands, n, settings, progress);
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
-        if (rows[0].refusal.empty()) continue;
-        refused += ' ' + std::to_string(n);
-        reason = rows[0].refusal;
+        if (rows[0].failure.empty()) continue;
+        failed += ' ' + std::to_string(n);
+        reason = rows[0].failure;
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
         text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement);
-    if (!refused.empty())
-        throw PartialOutput(text, "no Gaussian process with these samples:" + refused + "; " + reason);
+    if (!failed.empty()) throw PartialOutput(text, "no Gaussian process with these samples:" + failed + "; " + reason);
     return text;
 }
 }  // namespace bmc

@@ -10,14 +10,14 @@
 namespace bmc {
 struct ErrorSettings : ModelSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-    std::size_t mc_estimates = 1000, bmc_estimates = 1000;  // the sheet has 100 and 10, whose means show luck
+    std::size_t mc_estimates = 1000, bmc_estimates = 1000;  // the sheet has 100 and 10: their means are mostly luck
 };
 
-// Absolute errors of both methods, and those that the process predicts. A process that is refused has none.
+// Absolute errors of both methods, and those that the process predicts, which has none if Q could not be factored.
 struct ErrorRow {
     std::size_t samples;
     Statistics mc, bmc, predicted;
-    std::string refusal = {};  // the reason, if the process was refused
+    std::string failure = {};  // why Q could not be factored, if so
 
     // How many times larger the error of Monte Carlo is; nan if one of the two is 0.
     double gain() const { return mc.mean > 0 && bmc.mean > 0 ? mc.mean / bmc.mean : NAN; }
@@ -42,6 +42,6 @@ struct ErrorTables : Experiment {
     ErrorSettings settings;
 
     void add_options(Options& options) override;
-    std::string report() const override;  // throws PartialOutput if a process is refused
+    std::string report() const override;  // throws PartialOutput if a Q cannot be factored
 };
 }  // namespace bmc

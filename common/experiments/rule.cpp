@@ -14,11 +14,13 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
+static const char* const heading =
+    R"(#                      x                        y                        z          z_j                   weight
+)";
+
 // 17 digits are a double: read_samples reads the directions that are printed here.
 static std::string weights_block(const GaussianProcess& process, Known known) {
-    std::string text =
-        R"(#                      x                        y                        z          z_j                   weight
-)";
+    std::string text = heading;
     std::size_t negative = 0;
     for (std::size_t i = 0; i < process.weights().size(); ++i) {
         const Vec3 w = process.directions()[i];
@@ -28,18 +30,18 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
     }
     const QuadratureRule rule{process.directions(), process.weights(), known};
     const double ratio = relative_weight_sum(rule), integral = known_integral(known);
-    return text +
-           formatted(
-               R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the rule were exact
-# for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). %s negative.
-# A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors of samples
-# %.3g times as much as Monte Carlo's weights do. Above 2, pictures are usually worse than Monte Carlo's.
+    return text + formatted(
+                      R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
+# rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). %s negative.
+# A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
+# of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 )",
-               ratio * integral, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
-               negative == 0   ? "No weight is"
-               : negative == 1 ? "1 weight is"
-                               : formatted("%zu weights are", negative).c_str(),
-               white_brightness(rule), noise_gain(rule));
+                      ratio * integral, known == Known::cosine ? "cos(theta)" : "1", integral, ratio,
+                      stability_constant(rule),
+                      negative == 0   ? "No weight is"
+                      : negative == 1 ? "1 weight is"
+                                      : formatted("%zu weights are", negative).c_str(),
+                      white_brightness(rule), noise_gain(rule));
 }
 
 static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {

@@ -90,12 +90,12 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
 std::string StabilityReport::report() const {
     std::string text =
         R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
-# directions are rotated about the up axis, which must not change a weight (-: the matrix is refused). Then
-# the stability constant S: Monte Carlo has 1; above 2, pictures are usually worse than those of Monte Carlo.
+# directions are rotated about the up axis, which must not change a weight (-: no factor of the matrix). Then
+# the stability constant S: Monte Carlo has 1; above 2, pictures are usually worse than Monte Carlo's.
 #                                                   digits at a noise of               S at a noise of
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
 )";
-    std::vector<int> fewest(std::size(noises), 16), refused(std::size(noises));
+    std::vector<int> fewest(std::size(noises), 16), failed(std::size(noises));
     const auto work = [](std::size_t samples) { return static_cast<double>(samples * samples * samples); };
     double all = 0;
     for (const Setting& each : settings()) all += std::size(noises) * work(each.samples);
@@ -114,14 +114,14 @@ std::string StabilityReport::report() const {
             text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "    -";
             if (i == 1 || i == 3 || i == 6)
                 constants += stability ? formatted(" %8.3g", stability->constant) : "        -";
-            refused[i] += !stability;
+            failed[i] += !stability;
             if (stability) fewest[i] = std::min(fewest[i], digits_of(stability->weight_error));
         }
         text += constants + '\n';
     }
-    return text + numbers_line("refused (-)", refused) + numbers_line("fewest digits of the others", fewest) +
-           R"(# In the cluster the squared exponential of two directions rounds to 1. Rotating cannot show this: only 3 of
-# the digits at 1e-6 are right.
+    return text + numbers_line("no factor (-)", failed) + numbers_line("fewest digits of the others", fewest) +
+           R"(# In the cluster the squared exponential of two directions rounds to 1. Rotating cannot show this:
+# only 3 of the digits at 1e-6 are right.
 )";
 }
 }  // namespace bmc

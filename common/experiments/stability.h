@@ -19,11 +19,11 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 
 struct Stability {
     double weight_error;  // the largest difference from the weights of four rotated sets, over the largest weight;
-                          // infinite if a rotated set is refused
+                          // infinite if a rotated matrix cannot be factored
     double constant;      // stability_constant
 };
 
-// nullopt if the covariance matrix is refused.
+// nullopt if the covariance matrix cannot be factored.
 std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const Covariance& covariance, double noise);
 
 // What `workbench stability` prints.

@@ -39,8 +39,8 @@ std::vector<double> rule_seconds(std::size_t n) {
 // The answer to assignment 3.3.1: what a rule for every pixel costs, and why.
 static std::string rule_report() {
     std::string text =
-        R"(# What a rule costs, measured here: microseconds of each step, and of z from 50,000 random directions in place of
-# its closed form.
+        R"(# What a rule costs, measured here: microseconds of each step, and of z from 50,000 random directions
+# instead of its closed form.
 # samples       draw          Q     factor          z    weights     z50000
 )";
     constexpr const char* steps[] = {"draw", "Q", "factor", "z", "weights"};
@@ -59,8 +59,8 @@ static std::string rule_report() {
     for_each_hit(sphere_scene(), {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
     return text +
            formatted(
-               R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes %.2g seconds, of
-# which the step %s takes the largest part. From 50,000 random directions, z alone would take %.2g minutes.
+               R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes
+# %.2g seconds, and the step %s most of it. From 50,000 random directions, z alone would take %.2g minutes.
 
 
 )",

@@ -3,7 +3,8 @@
 #include "numerics/formatted.h"
 
 namespace bmc {
-// A pivot is a_mm less m products. Below m + 1 roundings of a_mm it may be nothing but rounding.
+// A pivot is a_mm minus m products. If it is smaller than m + 1 rounding errors of a_mm, it may be rounding error
+// alone.
 double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot) {
     const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(diagonal[m]);
     if (!(pivot > least))

@@ -49,7 +49,7 @@ double sobolev_cosine_z(double cos_theta) {
                             (2 * complete_elliptic(q, 1, 1, q * q) - complete_elliptic(q, 1 / q, 1, 1));
 }
 
-// For small x by the series, where the difference would cancel.
+// For small x the difference would cancel, so sum the series.
 double exponential_mean(double x) {
     if (x > 1) return (1 - portable::exp(-x)) / x;
     double sum = 1, term = 1;

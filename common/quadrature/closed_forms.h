@@ -1,5 +1,5 @@
-// Integrals over the hemisphere in closed form, to be taken on trust at a first reading: tests/unit/test_covariance.cpp
-// compares each with 20 digits that were computed from its definition, in another way.
+// Integrals over the hemisphere in closed form, which you may believe at a first reading:
+// tests/unit/test_covariance.cpp compares each with 20 digits that were computed from its definition, in another way.
 #pragma once
 
 #include "numerics/portable_math.h"
@@ -10,9 +10,9 @@ namespace bmc {
 // sin(theta)^2. Throws std::invalid_argument for a cosine outside of [0, 1]; it rejects nan, too.
 double squared_sine(double cos_theta);
 
-// The angle theta to the up axis, c its cosine, by its sine sigma and by q = c / (1 + sigma) = sqrt((1 - sigma) / (1 +
-// sigma)): 1 straight up, 0 on the horizon. 1 / q must stay finite, so q is at least 2^-60. This changes z by less than
-// 1e-17.
+// The polar angle theta with the cosine c, stored as sigma = sin(theta) and q = c / (1 + sigma) = sqrt((1 - sigma) / (1
+// + sigma)): 1 straight up, 0 on the horizon. 1 / q must stay finite, so q is at least 2^-60. This changes z by less
+// than 1e-17.
 struct PolarAngle {
     double sigma, q;
 
@@ -21,7 +21,7 @@ struct PolarAngle {
 
 // The integral of f(tan^2(E / 2)) over E from 0 to pi. Substitute t = tan(E / 2) = e^v: then dE = 2 t / (1 + t^2) dv =
 // dv / cosh v. The integrand falls like e^-|v|, so outside of |v| <= 38 it is below rounding, and inside the
-// trapezoidal rule is exact to rounding.
+// trapezoidal rule is exact to rounding: for such smooth functions it converges exponentially.
 template <class Function>
 double integral_over_angles(double step, Function f) {
     double sum = 0;

@@ -4,14 +4,15 @@
 // quadrature", J. Stat. Plan. Inf. 1991):
 //     z(omega) = integral over H of k(omega, omega') p(omega') d omega',
 //     zz = integral over H of z(omega) p(omega) d omega,
-// where f p is the integrand: p is its known part, and the Gaussian process models f alone.
+// where f p is the integrand: p is its known part, 1 unless you ask for another, and the Gaussian process models f
+// only.
 #pragma once
 
 #include "quadrature/closed_forms.h"
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
-// A covariance has to define k and M alone. ModelSettings::make_covariance chooses one of the classes below.
+// A covariance only has to define k and M. ModelSettings::make_covariance chooses one of the classes below.
 class Covariance {
 public:
     virtual ~Covariance() = default;
@@ -32,7 +33,7 @@ public:
 };
 
 // The covariance of the practice, Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3.
-// Its functions are continuous but rough, so that edges in the light do not surprise it.
+// Its functions are continuous but rough, so sharp edges in the light fit the model.
 class Sobolev : public Covariance {
 public:
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
@@ -64,7 +65,7 @@ public:
 
 private:
     double exponent_, constant_;  // s - 1 and C
-    double zz_;                   // made once
+    double zz_;                   // computed once, in the constructor
 };
 
 // k(r) = exp(-r^2 / 2 l^2) of length-scale l. Its functions have all derivatives. Below 0.05, e^(-1 / l^2) comes close
@@ -81,6 +82,6 @@ public:
 
 private:
     double kappa_;  // 1 / l^2
-    double zz_;     // made once
+    double zz_;     // computed once, in the constructor
 };
 }  // namespace bmc

@@ -12,7 +12,7 @@ static double dot(const std::vector<double>& a, const std::vector<double>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// w = Q^-1 z, from the factor of Q. It is a function of its own because it is a task.
+// w = Q^-1 z, from the factor of Q. A separate function, because students write it.
 // BEGIN SOLUTION integral
 static std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z) {
     return cholesky.solve(z);

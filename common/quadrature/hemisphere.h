@@ -33,7 +33,7 @@ Vec3 rotate_around_y(Vec3 direction, double turns);
 struct Frame {
     Vec3 tangent, normal, bitangent;
 
-    // The frame of a unit normal, continuous except where normal.z changes its sign. Dot products verify it
+    // The frame of a unit normal, continuous except where normal.z changes its sign. You can verify it with dot products
     // (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis, revisited", 2017).
     explicit Frame(Vec3 unit_normal);
 

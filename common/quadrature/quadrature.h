@@ -42,7 +42,7 @@ DirectionSet place_directions(Placement placement, std::size_t n, Random& random
 // quasi-Monte Carlo.
 QuadratureRule monte_carlo_rule(DirectionSet set);
 
-// Bayesian Monte Carlo: the weights of a GaussianProcess. Throws as it does.
+// Bayesian Monte Carlo: the weights of a GaussianProcess. Throws what GaussianProcess throws.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions);
 
 // The same rule with the known part cos(theta), which a picture needs: it integrates f cos(theta) from samples of f.

@@ -54,7 +54,7 @@ private:
     SharedRules shared_rules() const;
 
     RenderSettings settings_;
-    std::shared_ptr<const Covariance> covariance_;  // none of mc
+    std::shared_ptr<const Covariance> covariance_;  // null for Method::mc
     SharedRules shared_;
 };
 }  // namespace bmc

@@ -27,7 +27,7 @@ TEST_CASE("a row of which a later process is refused has no errors of those befo
         settings.bmc_estimates = estimates;
         CAPTURE(estimates);
         const ErrorRow row = error_rows({cosine_integrand}, 90, settings, progress)[0];
-        CHECK(row.refusal.empty() == (estimates == 1));
+        CHECK(row.failure.empty() == (estimates == 1));
         CHECK(row.bmc.count == (estimates == 1));
         CHECK(row.predicted.count == row.bmc.count);
     }

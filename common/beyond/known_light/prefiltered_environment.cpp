@@ -16,7 +16,7 @@ constexpr std::size_t lookups = 32;  // per mean
 // Directions spread evenly over the inner three quarters of a cap around the up axis. The smaller caps around them
 // reach to the cap's edge.
 std::vector<Vec3> cap_directions(double solid_angle) {
-    const double depth = 0.75 * solid_angle / (2 * pi);  // 1 less the cosine of the radius
+    const double depth = 0.75 * solid_angle / (2 * pi);  // 1 minus the cosine of the radius
     std::vector<Vec3> directions;
     for (const Vec3& direction : fibonacci_directions(lookups)) {
         const double cosine = 1 - depth * (1 - direction.y);

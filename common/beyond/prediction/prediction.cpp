@@ -7,7 +7,7 @@ namespace bmc::beyond {
 Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
-    const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would seldom meet
+    const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would rarely meet
     const auto sky = std::make_shared<const EnvironmentMap>(sun->sky());
     return [=, &scene, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
