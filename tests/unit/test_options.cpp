@@ -49,8 +49,9 @@ static void check_options(const std::string& words) {
 TEST_CASE("every option changes what is printed, or a note says that it does not") {
     const TemporaryFile light("#?RADIANCE\n\n-Y 3 +X 2\n" + std::string(8, '\200') + std::string(16, '\177'));
     const TemporaryFile directions("0 1 0\n");
-    for (const std::string more : {"", "--method=mc", "--method=mc --known=light", "--method=single --format=pfm",
-                                   "--method=direct --covariance=squared-exponential", "--method=single --rmse=0.02"})
+    for (const std::string more :
+         {"", "--method=mc", "--method=mc --known=light", "--method=single --format=pfm", "--method=direct --rmse=0.02",
+          "--method=direct --covariance=squared-exponential", "--method=single --rmse=0.02"})
         check_options<beyond::Request>("--size=8 --environment=" + light.name + ' ' + more);
     for (const std::string& more :
          {std::string("--seed=2"), std::string("--covariance=squared-exponential"), "--directions=" + directions.name})
