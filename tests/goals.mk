@@ -103,7 +103,8 @@ fuzz:
 	    BUILD=$(FUZZ) $(ONE_SOURCE) LDFLAGS=-fsanitize=fuzzer $(FUZZ)/fuzz
 	mkdir -p $(FUZZ)/found && cp tests/output/bright.hdr tests/output/directions.txt $(FUZZ)/found
 	$(FUZZ)/fuzz $(FUZZ)/found tests/slow/corpus -dict=tests/slow/corpus/dictionary -seed=1 \
-	    -max_len=4096 -timeout=30 -rss_limit_mb=4096 -max_total_time=$(FUZZ_SECONDS) -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
+	    -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=30 -rss_limit_mb=4096 \
+	    -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
 $(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(COMPARE) $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
