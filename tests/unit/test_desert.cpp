@@ -7,12 +7,6 @@ TEST_CASE("black and white is light from every direction with x > 0") {
         if (std::fabs(w.x) > 0.01) CHECK_MESSAGE(map.radiance(w).y == (w.x > 0), w);
 }
 
-TEST_CASE("a light from a file has the file's texels") {
-    const TemporaryFile good("#?RADIANCE\n\n-Y 1 +X 2\n\200\100\40\201\200\100\40\204");
-    CHECK(load_environment(good.name).width() == 2);
-    CHECK(load_environment(good.name).color(2) == Vec3{8, 4, 2});
-}
-
 TEST_CASE("an error in the file of a light names the file") {
     const TemporaryFile bad("P6");
     CHECK(message_of([&] { load_environment(bad.name); }) ==

@@ -1,19 +1,6 @@
 #include "quadrature/quadrature.h"
 #include "test.h"
 
-TEST_CASE("the known part is 1 or cos(theta), and sums of weights are over its integral") {
-    for (const Known known : {Known::nothing, Known::cosine}) {
-        CAPTURE(known);
-        const double integral = known == Known::cosine ? pi : 2 * pi;
-        const QuadratureRule rule{std::vector<Vec3>(3), {3 * pi, -2 * pi, pi}, known};
-        CHECK(known_part(known, {0.6, 0.8, 0}) == (known == Known::cosine ? 0.8 : 1));
-        CHECK(known_integral(known) == integral);
-        CHECK(rule.size() == 3);
-        CHECK(relative_weight_sum(rule) == 2 * pi / integral);
-        CHECK(stability_constant(rule) == 6 * pi / integral);
-    }
-}
-
 // With cos(theta), the weights are pi times 2, -1.6 and 0.5 if nothing is known.
 TEST_CASE("white brightness and noise gain are those of the weights in a picture") {
     const std::vector<Vec3> directions{{0, 1, 0}, {0.6, 0.8, 0}, {std::sqrt(0.75), 0.5, 0}};
