@@ -38,17 +38,6 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
     }
 }
 
-TEST_CASE("a lattice has the cosines 1 - (i + 1/2) / n or their roots, a golden angle apart") {
-    const std::vector<Vec3> uniform = fibonacci_directions(100), by_cosine = fibonacci_directions(100, Known::cosine);
-    for (std::size_t i = 0; i < 100; ++i) {
-        const double index = static_cast<double>(i), u = 1 - (index + 0.5) / 100,
-                     azimuth = pi * (std::sqrt(5) - 1) * index;
-        CAPTURE(i);
-        CHECK(distance(uniform.at(i), direction_from(u, azimuth)) < 2e-13);  // the rounding of an angle of up to 400
-        CHECK(distance(by_cosine.at(i), direction_from(std::sqrt(u), azimuth)) < 2e-13);
-    }
-}
-
 TEST_CASE("rotation about y turns z towards x and keeps y; a rotated frame does so first") {
     const Frame frame(normalize({0.3, -0.5, 0.8}));
     for (const Vec3& d : some_directions(50))
