@@ -32,7 +32,7 @@ static double complete_elliptic(double q, double root_p, double a, double b) {
     }
 }
 
-// M(b) is 8/3 - (2/3) sqrt(2 b), so z by caps is 16 pi / 3 less (4/3) sqrt(2) times the integral of sqrt(b) over E,
+// M(b) is 8/3 - (2/3) sqrt(2 b), so z by caps is 16 pi / 3 minus (4/3) sqrt(2) times the integral of sqrt(b) over E,
 // which is 2 q sqrt(1 + sigma) cel(q, 1 / q^2, 1 / q^2, 1), as tan(E / 2) = q cot t shows. cel is linear in its last
 // two arguments: with the factor q moved into them nothing is 0 times infinity.
 double sobolev_z(double cos_theta) {
