@@ -14,13 +14,12 @@ static ComparedPicture picture_of_known(const EnvironmentLight& light, Method me
 
 Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings, std::size_t samples) {
     settings.samples = samples;
-    const Scene scene = sphere_scene();
-    return render(scene, environment, settings, shader_with_sun(scene, environment, settings, samples));
+    return render(environment, settings, shader_with_sun(environment, settings, samples));
 }
 
 double coverage(const Image& image, const Image& truth, const Image& predicted) {
     double within = 0, all = 0;
-    for_each_hit(sphere_scene(), {image.width, image.height}, [&](int x, int y, const Hit&) {
+    for_each_hit(sphere_scene, {image.width, image.height}, [&](int x, int y, const Hit&) {
         const Color error = image(x, y) - truth(x, y), most = 2 * predicted(x, y);
         within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
         all += 3;
@@ -59,9 +58,7 @@ std::string KnownLightReport::report() const {
                 RootMeanSquare predicted;
                 Statistics covered;
                 rows.push_back(picture_cost(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
-                    const Scene scene = sphere_scene();
-                    const Image errors =
-                        predicted_errors(image, render(scene, map, s, better_shader(scene, light_of_picture, s)));
+                    const Image errors = predicted_errors(image, render(map, s, better_shader(light_of_picture, s)));
                     predicted.add(root_mean_square(errors));
                     covered.add(coverage(image, truth, errors));
                 }));

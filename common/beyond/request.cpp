@@ -42,8 +42,7 @@ Image Request::image(const EnvironmentMap& map) const {
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
     Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen);
     if (show == Show::picture) return image;
-    const Scene scene = sphere_scene();
-    Image errors = predicted_errors(image, render(scene, map, chosen, better_shader(scene, light, chosen)));
+    Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);
     if (format != Format::pfm) return grey_scale(std::move(errors), 2 * predicted);

@@ -37,11 +37,10 @@ std::string Belief::report() const {
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise,
                                   place_directions(settings.placement, samples, random).directions);
-    const Scene scene = sphere_scene();
-    const Hit hit = *intersect(scene, Camera{500, 500}.ray(140, 470));  // the sphere hides a part of its sky
+    const Hit hit = *intersect(sphere_scene, Camera{500, 500}.ray(140, 470));  // the sphere hides a part of its sky
     const auto light = [&, frame = Frame(hit.normal)](Vec3 w) {
         const Vec3 direction = frame.to_world(w);
-        return is_shadowed(scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
+        return is_shadowed(sphere_scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
     };
     const Integrand incident{"", [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); }, 0};
     const std::vector<double> values = evaluate(incident, process.directions(), settings.known);

@@ -64,19 +64,18 @@ RootMeanSquare monte_carlo_error(const std::vector<Integrand>& integrands, std::
 }  // namespace
 
 std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t count) {
-    const Scene scene = sphere_scene();
     const QuadratureRule dense = monte_carlo_rule({fibonacci_directions(1 << 16)});
     Random random(1, 0);
     std::vector<Integrand> integrands;
     while (integrands.size() < count) {
         const int x = static_cast<int>(500 * random.uniform());
         const int y = static_cast<int>(500 * random.uniform());
-        const std::optional<Hit> hit = intersect(scene, Camera{500, 500}.ray(x, y));
+        const std::optional<Hit> hit = intersect(sphere_scene, Camera{500, 500}.ray(x, y));
         if (!hit) continue;
         Integrand integrand{"L v cos(theta)", nullptr, 0};
-        integrand.value = [light, scene, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
+        integrand.value = [light, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
             const Vec3 omega = frame.to_world(local);
-            return is_shadowed(scene, hit, omega) ? 0 : luminance(light->radiance(omega)) * local.y;
+            return is_shadowed(sphere_scene, hit, omega) ? 0 : luminance(light->radiance(omega)) * local.y;
         };
         integrand.truth = estimate(dense, integrand);
         integrands.push_back(integrand);

@@ -13,7 +13,7 @@ static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettin
         return time_call([&] { picture.image(settings); });
     };
     double pixels = 0;
-    for_each_hit(sphere_scene(), {64, 64}, [&](int, int, const Hit&) { ++pixels; });
+    for_each_hit(sphere_scene, {64, 64}, [&](int, int, const Hit&) { ++pixels; });
     const double whole = seconds_at(64), rules = seconds_at(1);
     return rules + 1e6 * std::max(0.0, whole - rules) / pixels;
 }
@@ -50,11 +50,10 @@ Image reference_image(const EnvironmentMap& light, RenderSettings settings, std:
 }
 
 ImageError image_error(const Image& image, const Image& truth) {
-    const Scene scene = sphere_scene();
     const Camera camera{image.width, image.height};
     double count = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
     Color sum;
-    for_each_hit(scene, camera, [&](int x, int y, const Hit&) {
+    for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit&) {
         const Color error = image(x, y) - truth(x, y);
         count += 1;
         sum += error;
@@ -62,8 +61,8 @@ ImageError image_error(const Image& image, const Image& truth) {
         squares += dot(error, error);
     });
     const Color mean = 1 / count * sum;
-    for_each_hit(scene, camera, [&](int x, int y, const Hit&) {
-        if (x + 1 == image.width || !intersect(scene, camera.ray(x + 1, y))) return;
+    for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit&) {
+        if (x + 1 == image.width || !intersect(sphere_scene, camera.ray(x + 1, y))) return;
         const Color here = image(x, y) - truth(x, y) - mean, next = image(x + 1, y) - truth(x + 1, y) - mean;
         products += dot(here, next);
         pair_squares += (dot(here, here) + dot(next, next)) / 2;

@@ -56,7 +56,7 @@ static std::string rule_report() {
     const auto end = of_usual.end() - 1;  // of the steps, before z by the sum
     const auto costly = std::max_element(of_usual.begin(), end) - of_usual.begin();
     double pixels = 0;
-    for_each_hit(sphere_scene(), {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
+    for_each_hit(sphere_scene, {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
     return text +
            formatted(
                R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes

@@ -1,5 +1,7 @@
 #include "quadrature/quadrature.h"
 
+#include <numeric>
+
 namespace bmc {
 static DirectionSet rotated(DirectionSet set, Random& random) {
     const double turns = random.uniform();
@@ -56,9 +58,7 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
 // END SOLUTION
 
 double relative_weight_sum(const QuadratureRule& rule) {
-    double sum = 0;
-    for (const double weight : rule.weights) sum += weight;
-    return sum / known_integral(rule.known);
+    return std::accumulate(rule.weights.begin(), rule.weights.end(), 0.0) / known_integral(rule.known);
 }
 
 double stability_constant(const QuadratureRule& rule) {
@@ -67,20 +67,11 @@ double stability_constant(const QuadratureRule& rule) {
     return sum / known_integral(rule.known);
 }
 
-// W_j
-static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
-    return rule.weights[j] * (rule.known == Known::cosine ? 1 : rule.directions[j].y);
-}
-
-double white_brightness(const QuadratureRule& rule) {
-    double sum = 0;
-    for (std::size_t j = 0; j < rule.size(); ++j) sum += weight_in_picture(rule, j);
-    return sum / portable::pi;
-}
+double white_brightness(const QuadratureRule& rule) { return relative_weight_sum(cosine_rule(rule)); }
 
 double noise_gain(const QuadratureRule& rule) {
-    double squares = 0;
-    for (std::size_t j = 0; j < rule.size(); ++j) squares += weight_in_picture(rule, j) * weight_in_picture(rule, j);
+    const std::vector<double> w = cosine_rule(rule).weights;
+    const double squares = std::inner_product(w.begin(), w.end(), w.begin(), 0.0);
     return std::sqrt(3 * static_cast<double>(rule.size()) * squares) / (2 * portable::pi);
 }
 }  // namespace bmc

@@ -24,7 +24,7 @@ static void warn_of_exposure(const Image& image, double exposure) {
     const auto above_white = [&](Color pixel) { return brightest_channel(pixel) > 1; };
     if (std::none_of(image.pixels.begin(), image.pixels.end(), above_white)) return;
     std::vector<double> brightness;
-    for_each_hit(sphere_scene(), {image.width, image.height},
+    for_each_hit(sphere_scene, {image.width, image.height},
                  [&](int x, int y, const Hit&) { brightness.push_back(brightest_channel(image(x, y))); });
     std::sort(brightness.begin(), brightness.end());
     const std::size_t n = brightness.size();
@@ -109,7 +109,7 @@ static void note_long_wait(RenderSettings settings) {
         rules.fresh_rule(random);
     });
     double pixels = 0;
-    for_each_hit(sphere_scene(), {settings.width, settings.height}, [&](int, int, const Hit&) { ++pixels; });
+    for_each_hit(sphere_scene, {settings.width, settings.height}, [&](int, int, const Hit&) { ++pixels; });
     const double grown = samples / fewer, threads = static_cast<double>(std::min(settings.threads, processors()));
     const double minutes = seconds * grown * grown * grown * pixels / threads / 60;
     if (minutes > 1)
@@ -120,10 +120,9 @@ static void note_long_wait(RenderSettings settings) {
 
 Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings) {
     note_long_wait(settings);
-    const Scene scene = sphere_scene();
     const PixelRules rules(settings);
     warn_of_weights(rules);
-    return render(scene, light, settings, environment_shader(scene, light, rules));
+    return render(light, settings, environment_shader(light, rules));
 }
 
 void warn_of_weights(const PixelRules& rules) {

@@ -10,13 +10,13 @@ namespace bmc {
 // The colour of a point that the camera sees in column x of row y. Several threads call it at once.
 using Shader = std::function<Color(const Hit&, int x, int y)>;
 
-// L_o, linear RGB, by these rules. Scene and environment must outlive it.
-Shader environment_shader(const Scene& scene, const EnvironmentMap& environment, const PixelRules& rules);
+// L_o, linear RGB, by these rules. The environment must outlive it.
+Shader environment_shader(const EnvironmentMap& environment, const PixelRules& rules);
 
-// The image of these colours, with the size and the threads of the settings. A pixel that shows no object shows the
-// background.
-Image render(const Scene& scene, const EnvironmentMap& background, const RenderSettings& settings, const Shader& shade);
+// The sphere scene in these colours, with the size and the threads of the settings. A pixel that shows no object shows
+// the background.
+Image render(const EnvironmentMap& background, const RenderSettings& settings, const Shader& shade);
 
-// The sphere scene in this light. Throws what the Gaussian processes throw.
+// The same in this light. Throws what the Gaussian processes throw.
 Image picture(const EnvironmentMap& light, const RenderSettings& settings);
 }  // namespace bmc

@@ -25,12 +25,6 @@ Ray Camera::ray(int x, int y) const {
     return {{0, 0, 0}, normalize({scale * (x + 0.5 - 0.5 * width), scale * (0.5 * height - y - 0.5), -1})};
 }
 
-Scene sphere_scene() {
-    const Sphere sphere{{0, 0, -5}, 2, {0.8, 0.8, 0.8}};
-    const Rectangle rectangle{-2, -4, 4, -9, -1, {0.2, 0.8, 0.2}};
-    return {sphere, rectangle};
-}
-
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray) {
     const std::optional<double> to_sphere = distance(scene.sphere, ray);
     const std::optional<double> to_rectangle = distance(scene.rectangle, ray);

@@ -420,7 +420,7 @@ void reflected_radiance_values() {
         const double red = random.uniform(), green = random.uniform();
         map.set(texel % 16, texel / 16, {0.1 + red, 0.1 + green, 0.1 + red * green});
     }
-    const Scene scene = sphere_scene();
+    const Scene scene = sphere_scene;
     Scene no_shadow = scene;
     no_shadow.sphere.centre.y = no_shadow.rectangle.y = -1e9;
     for_each_hit(scene, {24, 24}, [&](int x, int y, const Hit& hit) {

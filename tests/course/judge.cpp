@@ -36,9 +36,8 @@ Image stored(Image image, const PictureRequest& request) {
 }
 
 Image rendered(const EnvironmentMap& light, const PictureRequest& request) {
-    const Scene scene = sphere_scene();
     const PixelRules rules(request.settings);
-    return stored(render(scene, light, request.settings, environment_shader(scene, light, rules)), request);
+    return stored(render(light, request.settings, environment_shader(light, rules)), request);
 }
 
 // A picture nearly without noise.
@@ -68,7 +67,7 @@ std::string background_difference(const Image& picture, const Image& truth, cons
     texels = stored(texels, request);
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            if (intersect(sphere_scene(), camera.ray(x, y))) continue;
+            if (intersect(sphere_scene, camera.ray(x, y))) continue;
             all += 1;
             if (!looks_like(picture(x, y), truth(x, y)) && !looks_like(picture(x, y), texels(x, y)))
                 differing.push_back({x, y});
@@ -98,7 +97,7 @@ std::vector<Number> numbers_of(const Image& picture, const Image& truth, const O
     Statistics size;  // of errors; their squares would depend on a few pixels under a bright sun
     Color sum, light;
     const auto for_each_pixel = [&](auto f) {
-        for_each_hit(sphere_scene(), {truth.width, truth.height}, [&](int x, int y, const Hit& hit) {
+        for_each_hit(sphere_scene, {truth.width, truth.height}, [&](int x, int y, const Hit& hit) {
             if (hit.object == object) f(x, y, picture(x, y) - truth(x, y), truth(x, y));
         });
     };

@@ -12,11 +12,10 @@ TEST_CASE("coverage counts the errors of at most two predicted ones, colour by c
 
 // Of the 200,000 directions 200 meet the sun.
 TEST_CASE("the dense truth under a sun agrees with a picture by many directions") {
-    const Scene scene = sphere_scene();
     RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = sunny_map();
-    const Image many = render(scene, map, settings, environment_shader(scene, map, PixelRules(settings)));
+    const Image many = render(map, settings, environment_shader(map, PixelRules(settings)));
     const ImageError error = image_error(many, truth_with_sun(map, settings, 3000));
     CHECK(error.rmse < 0.01);
     CHECK(std::fabs(error.brightness) < 2e-3);
@@ -33,9 +32,8 @@ TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
 TEST_CASE("a better picture has at most half of the error of the best, under a sun, too") {
     for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
         const RenderSettings settings = small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci);
-        const Scene scene = sphere_scene();
         const Image truth = truth_with_sun(map, settings, 2000),
-                    better = render(scene, map, settings, better_shader(scene, {map, false, 1}, settings));
+                    better = render(map, settings, better_shader({map, false, 1}, settings));
         CAPTURE(map.width());
         CHECK(image_error(better, truth).rmse < 0.5 * image_error(picture(map, settings), truth).rmse);
     }

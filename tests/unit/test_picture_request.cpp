@@ -28,8 +28,8 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning"
         request.exposure = exposure;
         Image image(50, 50);
         double seen = 0, objects = 0;
-        for_each_hit(sphere_scene(), {50, 50}, [&](int, int, const Hit&) { ++objects; });
-        for_each_hit(sphere_scene(), {50, 50}, [&](int x, int y, const Hit&) {
+        for_each_hit(sphere_scene, {50, 50}, [&](int, int, const Hit&) { ++objects; });
+        for_each_hit(sphere_scene, {50, 50}, [&](int x, int y, const Hit&) {
             if (++seen > black_fraction * objects) image(x, y) = {0, grey, 0};
         });
         return stderr_of([&] { request.file(image); });
@@ -44,7 +44,7 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning"
 TEST_CASE("of less than a hundred pixels the brightest is made white") {
     Image rising(8, 8);
     double stops = 0;
-    for_each_hit(sphere_scene(), {8, 8}, [&](int x, int y, const Hit&) { rising(x, y).x = std::exp2(++stops); });
+    for_each_hit(sphere_scene, {8, 8}, [&](int x, int y, const Hit&) { rising(x, y).x = std::exp2(++stops); });
     CHECK(stderr_of([&] { PictureRequest().file(rising); }) == Containing{formatted("--exposure %.1f ", -stops)});
 }
 

@@ -5,11 +5,9 @@ using namespace bmc::beyond;
 
 // By the definition: the root mean square of picture - better, over the pixels of a grid that show an object.
 static double rmse_by_better(const EnvironmentLight& light, const RenderSettings& settings, int first, int step) {
-    const Scene scene = sphere_scene();
-    const Image a = picture(light, settings),
-                b = render(scene, light.environment, settings, better_shader(scene, light, settings));
+    const Image a = picture(light, settings), b = render(light.environment, settings, better_shader(light, settings));
     double squares = 0, count = 0;
-    for_each_hit(scene, {a.width, a.height}, [&](int x, int y, const Hit&) {
+    for_each_hit(sphere_scene, {a.width, a.height}, [&](int x, int y, const Hit&) {
         if (x % step != first || y % step != first) return;
         squares += squared_distance(a(x, y), b(x, y));
         count += 3;
@@ -19,12 +17,12 @@ static double rmse_by_better(const EnvironmentLight& light, const RenderSettings
 
 TEST_CASE("a pixel's predicted error is the root mean square in its object's window") {
     Image a(64, 64);
-    for_each_hit(sphere_scene(), {64, 64}, [&](int x, int y, const Hit& hit) {
+    for_each_hit(sphere_scene, {64, 64}, [&](int x, int y, const Hit& hit) {
         if (hit.object == Object::sphere) a(x, y) = {2, 0, x == 32 && y == 32 ? 7.0 : 0};
     });
     const Image errors = predicted_errors(a, Image(64, 64));
     double squares = 0, count = 0;
-    for_each_hit(sphere_scene(), {64, 64}, [&](int x, int y, const Hit& hit) {
+    for_each_hit(sphere_scene, {64, 64}, [&](int x, int y, const Hit& hit) {
         const bool on_sphere = hit.object == Object::sphere, near = std::max(std::abs(x - 32), std::abs(y - 32)) <= 3;
         INFO("x, y: ", x, ", ", y);
         CHECK(std::fabs(errors(x, y).x - (on_sphere ? 2 : 0)) < 1e-14);
@@ -132,8 +130,7 @@ TEST_CASE("the better picture has four times the samples, on the cosine lattice,
     const EnvironmentMap map = coloured_map(16, 9);
     const EnvironmentLight light(map, true, 1);
     RenderSettings settings = small_picture(Method::pool, 5, 24);
-    const Scene scene = sphere_scene();
-    const Image better = render(scene, map, settings, better_shader(scene, light, settings));
+    const Image better = render(map, settings, better_shader(light, settings));
     settings = small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci);
     CHECK(better.pixels != picture(light, settings).pixels);
     ++settings.seed;

@@ -20,13 +20,12 @@ PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings) {
 }
 
 // The fraction of each colour of the sky's light that passes the other object.
-static Color visible_sky(const Scene& scene, const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule,
-                         const Frame& frame) {
+static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule, const Frame& frame) {
     std::vector<int> all(rule.size()), visible(rule.size());  // texels; the black one in the shadow
     for (std::size_t i = 0; i < rule.size(); ++i) {
         const Vec3 direction = frame.to_world(rule.directions[i]);
         all[i] = means.index(direction);
-        visible[i] = !is_shadowed(scene, hit, direction) * all[i];
+        visible[i] = !is_shadowed(sphere_scene, hit, direction) * all[i];
     }
     if (all == visible) return {1, 1, 1};
     RatioEstimator sky;
@@ -37,24 +36,22 @@ static Color visible_sky(const Scene& scene, const EnvironmentMap& means, const 
     return sky.fraction();
 }
 
-Shader shader_of(const Scene& scene, const EnvironmentLight& any_light, const RenderSettings& settings,
-                 const PixelRules& rules) {
-    if (!any_light.averages) return environment_shader(scene, any_light.environment, rules);
+Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settings, const PixelRules& rules) {
+    if (!any_light.averages) return environment_shader(any_light.environment, rules);
     const PrefilteredEnvironment& light = *any_light.averages;
     const std::size_t sun_rays = sun_samples(light, settings.samples);
     const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(rules.settings().samples));
-    return [=, &scene, &light, &means](const Hit& hit, int x, int y) {
+    return [=, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        const Color sky = visible_sky(scene, means, hit, *oriented.rule, oriented.frame);
-        const Color sun = sample_sun(scene, light.sun(), hit, sun_rays, random).fraction();
+        const Color sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
+        const Color sun = sample_sun(sphere_scene, light.sun(), hit, sun_rays, random).fraction();
         return 1 / portable::pi *
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
     };
 }
 
 Image picture(const EnvironmentLight& light, const RenderSettings& settings) {
-    const Scene scene = sphere_scene();
-    return render(scene, light.environment, settings, shader_of(scene, light, settings, rules_of(light, settings)));
+    return render(light.environment, settings, shader_of(light, settings, rules_of(light, settings)));
 }
 }  // namespace bmc::beyond

@@ -4,29 +4,29 @@
 #include "numerics/work.h"
 
 namespace bmc::beyond {
-Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
+Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would rarely meet
     const auto sky = std::make_shared<const EnvironmentMap>(sun->sky());
-    return [=, &scene, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
+    return [=, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        const Color of_sky = reflected_radiance(scene, *sky, hit, *oriented.rule, oriented.frame);
+        const Color of_sky = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
         if (sun->empty()) return of_sky;
-        const Color of_sun = sample_sun(scene, *sun, hit, rays, random).visible;
+        const Color of_sun = sample_sun(sphere_scene, *sun, hit, rays, random).visible;
         return of_sky + sun->light() / (portable::pi * static_cast<double>(rays)) * (hit.albedo * of_sun);
     };
 }
 
-Shader better_shader(const Scene& scene, const EnvironmentLight& light, RenderSettings settings) {
+Shader better_shader(const EnvironmentLight& light, RenderSettings settings) {
     const std::size_t samples = settings.samples;
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = 4 * samples;
     ++settings.seed;
-    if (light.averages) return shader_of(scene, light, settings, rules_of(light, settings));
-    return shader_with_sun(scene, light.environment, settings, samples);
+    if (light.averages) return shader_of(light, settings, rules_of(light, settings));
+    return shader_with_sun(light.environment, settings, samples);
 }
 
 using Objects = std::vector<std::optional<Object>>;  // that the pixels show
@@ -50,12 +50,12 @@ Image predicted_errors(const Image& picture, const Image& better) {
     Image squares(picture.width, picture.height), errors = squares;
     Objects objects(picture.pixels.size());
     const Camera camera{picture.width, picture.height};
-    for_each_hit(sphere_scene(), camera, [&](int x, int y, const Hit& hit) {
+    for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit& hit) {
         const Color difference = picture(x, y) - better(x, y);
         squares(x, y) = difference * difference;
         objects[static_cast<std::size_t>(y * picture.width + x)] = hit.object;
     });
-    for_each_hit(sphere_scene(), camera, [&](int x, int y, const Hit&) {
+    for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit&) {
         const Color mean = mean_in_window(squares, objects, x, y);
         errors(x, y) = {std::sqrt(mean.x), std::sqrt(mean.y), std::sqrt(mean.z)};
     });
@@ -64,7 +64,7 @@ Image predicted_errors(const Image& picture, const Image& better) {
 
 double root_mean_square(const Image& errors) {
     double squares = 0, count = 0;
-    for_each_hit(sphere_scene(), {errors.width, errors.height}, [&](int x, int y, const Hit&) {
+    for_each_hit(sphere_scene, {errors.width, errors.height}, [&](int x, int y, const Hit&) {
         squares += dot(errors(x, y), errors(x, y));
         count += 3;
     });
@@ -83,15 +83,14 @@ static std::vector<PilotPixel> pilot_pixels(const RenderSettings& settings, doub
         std::vector<PilotPixel> pixels;
         for (int y = down / 2; y < settings.height; y += down)
             for (int x = across / 2; x < settings.width; x += across)
-                if (const auto hit = intersect(sphere_scene(), camera.ray(x, y))) pixels.push_back({x, y, *hit});
+                if (const auto hit = intersect(sphere_scene, camera.ray(x, y))) pixels.push_back({x, y, *hit});
         if (across * down == 1 || static_cast<double>(pixels.size() * settings.samples) >= rays) return pixels;
     }
 }
 
 double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings, double rays) {
-    const Scene scene = sphere_scene();
-    const Shader picture = shader_of(scene, light, settings, rules_of(light, settings));
-    const Shader better = better_shader(scene, light, settings);
+    const Shader picture = shader_of(light, settings, rules_of(light, settings));
+    const Shader better = better_shader(light, settings);
     const std::vector<PilotPixel> pixels = pilot_pixels(settings, rays);
     std::vector<double> squares(pixels.size());
     constexpr std::size_t block = 512;

@@ -12,12 +12,11 @@
 
 namespace bmc::beyond {
 // The shader by the samples of these settings, with equal weights on the cosine lattice, and by this number of rays to
-// the texels of more than four times the mean (sun.h). Nothing is from a table of the light. Scene and map must outlive
-// it.
-Shader shader_with_sun(const Scene& scene, const EnvironmentMap& map, RenderSettings settings, std::size_t rays);
+// the texels of more than four times the mean (sun.h). Nothing is from a table of the light. The map must outlive it.
+Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t rays);
 
-// The shader of the better picture. Scene and light must outlive it.
-Shader better_shader(const Scene& scene, const EnvironmentLight& light, RenderSettings settings);
+// The shader of the better picture. The light must outlive it.
+Shader better_shader(const EnvironmentLight& light, RenderSettings settings);
 
 // The root mean square of picture - better around each pixel, colour by colour, over a window as far as that shows the
 // same object; 0 where no object is. Windows grow with the picture, from 7 x 7 pixels to 15 x 15 from 490 rows on, so
