@@ -4,9 +4,9 @@
 #include "numerics/work.h"
 
 namespace bmc::beyond {
-static ComparedPicture picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
-                                        Placement placement) {
-    ComparedPicture compared = compared_picture(light.environment, method, pool, placement, Known::cosine);
+static PictureCost picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
+                                    Placement placement) {
+    PictureCost compared = compared_picture(light.environment, method, pool, placement, Known::cosine);
     compared.known = "light";
     compared.image = [&light](const RenderSettings& settings) { return picture(light, settings); };
     return compared;
@@ -41,7 +41,7 @@ std::string KnownLightReport::report() const {
         const RenderSettings settings = row_settings(costs, {}, 0);
         const EnvironmentLight light(map, true, settings.threads), unknown(map, false, settings.threads);
         const Image truth = truth_with_sun(map, settings, 10000);
-        const std::vector<ComparedPicture> compared{
+        const std::vector<PictureCost> compared{
             compared_picture(map, Method::mc, 1, Placement::uniform),
             compared_picture(map, Method::pool, 20, Placement::uniform),
             compared_picture(map, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine),
@@ -51,7 +51,7 @@ std::string KnownLightReport::report() const {
             picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
         std::vector<PictureCost> rows;
         std::vector<std::string> cells;
-        for (const ComparedPicture& each : compared)
+        for (const PictureCost& each : compared)
             for (const std::size_t n : {10u, 40u}) {
                 const bool light_known = each.known == std::string("light");
                 const EnvironmentLight& light_of_picture = light_known ? light : unknown;

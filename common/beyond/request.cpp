@@ -37,8 +37,7 @@ Image Request::image(const EnvironmentMap& map) const {
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
     }
-    const std::string missed = light_known ? "" : missed_light(map, chosen.samples);
-    if (!missed.empty()) print_note("note: " + missed + "; --known light models it");
+    if (!light_known) note_missed_light(map, chosen.samples, "; --known light models it");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
     Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen);
     if (show == Show::picture) return image;

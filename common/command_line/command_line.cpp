@@ -33,42 +33,26 @@ void Options::add(const char* name, const char* description, bool& given) {
     add({name, "", description, [&given](const std::string&) { given = true; }});
 }
 
-void Options::add(const char* name, const char* argument, const char* description, double& number, double low,
-                  double high) {
-    add({name, argument, description, [=, &number](const std::string& text) { number = parse_real(text, low, high); }});
+// "mc, direct or pool".
+static std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+    return text;
 }
 
-void Options::add(const char* name, const char* argument, const char* description, std::size_t& number, std::size_t low,
-                  std::size_t high) {
-    add({name, argument, description,
-         [=, &number](const std::string& text) { number = static_cast<std::size_t>(parse_integer(text, low, high)); }});
-}
-
-void Options::add_choice(const char* name, const char* const* names, std::size_t count, std::size_t usual,
-                         const char* remark, const std::function<void(std::size_t)>& choose) {
-    const std::vector<std::string> all_names(names, names + count);
-    add({name, "NAME", listed(all_names) + " (default " + names[usual] + ")" + remark, [=](const std::string& text) {
-             const auto found = std::find(all_names.begin(), all_names.end(), text);
-             if (found == all_names.end()) throw std::invalid_argument("'" + text + "' is not " + listed(all_names));
-             choose(static_cast<std::size_t>(found - all_names.begin()));
+void Options::add_choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
+                         const std::function<void(std::size_t)>& choose) {
+    add({name, "NAME", listed(names) + " (default " + names[usual] + ")" + remark, [=](const std::string& text) {
+             const auto found = std::find(names.begin(), names.end(), text);
+             if (found == names.end()) throw std::invalid_argument("'" + text + "' is not " + listed(names));
+             choose(static_cast<std::size_t>(found - names.begin()));
          }});
-}
-
-void Options::add_seed(std::uint64_t& seed) {
-    add({"seed", "K", "seed of the random numbers (default 1)",
-         [&seed](const std::string& text) { seed = parse_integer(text, 0, UINT64_MAX); }});
 }
 
 void Options::make_idle(std::initializer_list<std::string> names, const std::string& with) {
     for (Option& each : all)
         if (std::find(names.begin(), names.end(), each.name) != names.end()) each.idle_with = with;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
-    return text;
 }
 
 // Why a word is no option. letter: where getopt_long took it for letters after a single dash, else 0.

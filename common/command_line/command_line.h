@@ -22,6 +22,17 @@ struct PartialOutput : std::runtime_error {
         : std::runtime_error(missing), output(std::move(printed)) {}
 };
 
+// The whole text as a number. All throw std::invalid_argument unless it lies in [low, high].
+double parse_real(const std::string& text, double low, double high);
+std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uint64_t high);
+template <class Number>
+Number parse(const std::string& text, Number low, Number high) {
+    if constexpr (std::is_integral_v<Number>)
+        return static_cast<Number>(parse_integer(text, low, high));
+    else
+        return parse_real(text, low, high);
+}
+
 struct Option {
     std::string name;                             // without the dashes
     std::string argument;                         // what stands for its value in the help; empty if it takes none
@@ -40,14 +51,19 @@ struct Options {
     // Adds one that sets a text, a switch, a number from low to high, or a value that has a name.
     void add(const char* name, const char* argument, const std::string& description, std::string& text);
     void add(const char* name, const char* description, bool& given);
-    void add(const char* name, const char* argument, const char* description, double& number, double low, double high);
-    void add(const char* name, const char* argument, const char* description, std::size_t& number, std::size_t low,
-             std::size_t high);
+    template <class Number>
+    void add(const char* name, const char* argument, const char* description, Number& number,
+             std::common_type_t<Number> low, std::common_type_t<Number> high) {
+        add({name, argument, description,
+             [=, &number](const std::string& text) { number = parse<Number>(text, low, high); }});
+    }
     template <class T, std::size_t count>
-    void add(const char* name, const char* const (&names)[count], T& value, const char* remark = "");
-    void add_choice(const char* name, const char* const* names, std::size_t count, std::size_t usual,
-                    const char* remark, const std::function<void(std::size_t)>& choose);
-    void add_seed(std::uint64_t& seed);
+    void add(const char* name, const char* const (&names)[count], T& value, const char* remark = "") {
+        add_choice(name, {names, names + count}, static_cast<std::size_t>(value), remark,
+                   [&value](std::size_t chosen) { value = static_cast<T>(chosen); });
+    }
+    void add_choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
+                    const std::function<void(std::size_t)>& choose);
 
     // The options of these names change nothing with another one.
     void make_idle(std::initializer_list<std::string> names, const std::string& with);
@@ -88,23 +104,10 @@ std::string describe(const Options& options);
 // stderr names each option that changes nothing. Throws std::invalid_argument if a file would go to a terminal.
 std::string run_command(const Command& command, const std::string& usage, int argc, char** argv);
 
-// The whole text as a number. Both throw std::invalid_argument unless it lies in [low, high].
-double parse_real(const std::string& text, double low, double high);
-std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uint64_t high);
-
-// "mc, direct or pool".
-std::string listed(const std::vector<std::string>& names);
-
 // An enumeration stands beside an array of its names, in the order of the enumerators, which options and reports read.
 template <class T, std::size_t count>
 const char* name_of(T value, const char* const (&names)[count]) {
     return names[static_cast<std::size_t>(value)];
-}
-
-template <class T, std::size_t count>
-void Options::add(const char* name, const char* const (&names)[count], T& value, const char* remark) {
-    add_choice(name, names, count, static_cast<std::size_t>(value), remark,
-               [&value](std::size_t chosen) { value = static_cast<T>(chosen); });
 }
 
 // Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after std::invalid_argument,

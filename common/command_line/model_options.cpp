@@ -13,7 +13,7 @@ void add_model_options(Options& options, ModelSettings& s) {
                 0, 1000);
     options.add("known", known_names, s.known, known_remark);
     options.add("placement", placement_names, s.placement);
-    options.add_seed(s.seed);
+    options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
     options.make_idle({s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness"},
                       std::string("--covariance ") + name_of(s.covariance, covariance_names));
 }

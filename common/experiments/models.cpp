@@ -4,6 +4,8 @@
 #include "numerics/work.h"
 #include "scene/scene.h"
 
+#include <numeric>
+
 namespace bmc {
 namespace {
 
@@ -24,10 +26,10 @@ double parameter_of(const ModelSettings& model) {
     return model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
 }
 
-// Of a model on the integrands, over the sets of directions. The errors at the points of one set are not independent,
-// so a set gives one number of each kind.
+// Of a model on the integrands, and of Monte Carlo, over the sets of directions. The errors at the points of one set
+// are not independent, so a set gives one number of each kind.
 struct ModelResults {
-    RootMeanSquare error, predicted;
+    RootMeanSquare error, predicted, monte_carlo;
     Statistics evidence;  // per point
 };
 
@@ -35,28 +37,21 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
     const auto covariance = model.make_covariance();
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
-        const GaussianProcess process(*covariance, model.noise, directions_of_estimate({}, samples, set).directions);
+        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate({}, samples, set));
+        const GaussianProcess process(*covariance, model.noise, rule.directions);
         ModelResults of_set;
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = evaluate(integrand, process.directions());
             of_set.error.add(process.integral(values) - integrand.truth);
             of_set.predicted.add(process.standard_error(values));
+            of_set.monte_carlo.add(std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0) -
+                                   integrand.truth);
             if (process.amplitude(values) > 0) of_set.evidence.add(log_evidence(process, values));  // zeros fit all
         }
         all.error.add(of_set.error.value());
         all.predicted.add(of_set.predicted.value());
+        all.monte_carlo.add(of_set.monte_carlo.value());
         all.evidence.add(of_set.evidence.mean);
-    }
-    return all;
-}
-
-RootMeanSquare monte_carlo_error(const std::vector<Integrand>& integrands, std::size_t samples) {
-    RootMeanSquare all;
-    for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate({}, samples, set));
-        RootMeanSquare error;
-        for (const Integrand& integrand : integrands) error.add(estimate(rule, integrand) - integrand.truth);
-        all.add(error.value());
     }
     return all;
 }
@@ -106,10 +101,12 @@ std::string ModelsReport::report() const {
 )",
         points, sets, samples);
     double evidence_of_default = 0;
+    RootMeanSquare mc;
     const std::vector<ModelSettings> models = all_models();
     Progress progress(static_cast<double>(models.size()));
     for (const ModelSettings& model : models) {
         const ModelResults v = results_of(model, integrands, samples);
+        mc = v.monte_carlo;
         progress.done();
         const double ratio = v.predicted.value() / v.error.value();
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
@@ -118,7 +115,6 @@ std::string ModelsReport::report() const {
                           std::isfinite(ratio) ? formatted("%.2f", ratio).c_str() : "-",
                           v.evidence.mean - evidence_of_default);
     }
-    const RootMeanSquare mc = monte_carlo_error(integrands, samples);
     return text + formatted("%-21s %9s %6s %10.4g %10.2g %6s %9s\n", "monte-carlo", "-", "-", mc.value(),
                             mc.standard_error(), "-", "-");
 }

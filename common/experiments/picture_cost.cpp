@@ -6,11 +6,11 @@
 
 namespace bmc {
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
-static double seconds_per_megapixel(const ComparedPicture& picture, RenderSettings settings) {
-    settings.threads = 1;
+static double seconds_per_megapixel(PictureCost picture) {
+    picture.settings.threads = 1;
     const auto seconds_at = [&](int side) {
-        settings.width = settings.height = side;
-        return time_call([&] { picture.image(settings); });
+        picture.settings.width = picture.settings.height = side;
+        return time_call([&] { picture.image(picture.settings); });
     };
     double pixels = 0;
     for_each_hit(sphere_scene, {64, 64}, [&](int, int, const Hit&) { ++pixels; });
@@ -28,9 +28,8 @@ static std::uint64_t seeds_of(const RenderSettings& settings) {
 }
 
 void add_cost_options(Options& options, CostSettings& costs) {
-    options.add({"size", "W", "of the pictures, W x W pixels (default 64)",
-                 [&](const std::string& text) { costs.size = static_cast<int>(parse_integer(text, 2, 1024)); }});
-    options.add_seed(costs.seed);
+    options.add("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 2, 1024);
+    options.add("seed", "K", "seed of the random numbers (default 1)", costs.seed, 0, UINT64_MAX);
     options.add("no-times", "leaves out what is measured and differs from run to run", costs.untimed);
 }
 
@@ -71,8 +70,8 @@ ImageError image_error(const Image& image, const Image& truth) {
             (sum.x + sum.y + sum.z) / true_sum};
 }
 
-ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
-                                 Known known) {
+PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
+                             Known known) {
     RenderSettings settings;
     settings.method = method;
     settings.pool = pool;
@@ -81,7 +80,7 @@ ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std
     return {settings, name_of(known, known_names), [&light](const RenderSettings& s) { return picture(light, s); }};
 }
 
-std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light) {
+std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
     return {compared_picture(light, Method::mc, 1, Placement::uniform),
             compared_picture(light, Method::mc, 1, Placement::cosine),
             compared_picture(light, Method::direct, 1, Placement::uniform),
@@ -96,22 +95,21 @@ std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light) {
             compared_picture(light, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine)};
 }
 
-PictureCost picture_cost(const ComparedPicture& picture, std::size_t samples, const CostSettings& costs,
-                         const Image& truth, const std::function<void(const Image&, const RenderSettings&)>& examine) {
+PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
+                         const std::function<void(const Image&, const RenderSettings&)>& examine) {
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
-    PictureCost cost{row_settings(costs, picture.settings, samples), picture.known, {}, {}, {}};
-    RenderSettings settings = cost.settings;
+    RenderSettings settings = picture.settings = row_settings(costs, picture.settings, samples);
     for (std::uint64_t i = 0; i < seeds_of(settings); ++i, ++settings.seed) {
         const Image image = picture.image(settings);
         const ImageError error = image_error(image, truth);
-        cost.rmse.add(error.rmse);
-        cost.brightness.add(error.brightness);
-        cost.correlation.add(error.correlation);
+        picture.rmse.add(error.rmse);
+        picture.brightness.add(error.brightness);
+        picture.correlation.add(error.correlation);
         if (examine) examine(image, settings);
     }
-    if (!costs.untimed) cost.seconds_per_megapixel = seconds_per_megapixel(picture, cost.settings);
-    return cost;
+    if (!costs.untimed) picture.seconds_per_megapixel = seconds_per_megapixel(picture);
+    return picture;
 }
 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading,

@@ -1,7 +1,8 @@
-// What the accuracy of a picture costs: the sphere scene by every method against a dense quadrature.
+// What accuracy costs: the time of each step of a rule, and the errors and the time of a picture of the sphere scene by
+// every method, against a dense quadrature.
 #pragma once
 
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 #include "numerics/statistics.h"
 #include "scene/render.h"
 
@@ -26,38 +27,45 @@ struct ImageError {
 };
 ImageError image_error(const Image& image, const Image& truth);
 
-// A way to make pictures: settings, except for the number of samples; what is known of the integrand, as a word; and
-// the image by such settings.
-struct ComparedPicture {
+// A way to make pictures, and their errors over several seeds: if pixels share rules, there are as many independent
+// errors as seeds, not as pixels.
+struct PictureCost {
     RenderSettings settings;
-    const char* known;
-    std::function<Image(const RenderSettings&)> image;
+    const char* known;                                  // of the integrand, as a word
+    std::function<Image(const RenderSettings&)> image;  // by such settings
+    RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
+    Statistics correlation = {};
+    double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
-ComparedPicture compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
-                                 Known known = Known::nothing);
-std::vector<ComparedPicture> compared_pictures(const EnvironmentMap& light);
+PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
+                             Known known = Known::nothing);
+std::vector<PictureCost> compared_pictures(const EnvironmentMap& light);
 
 // The settings of a row: with these samples, the size and the first seed. The row has the seeds from there on.
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples);
 
-// Errors over several seeds: if pixels share rules, there are as many independent errors as seeds, not as pixels.
-struct PictureCost {
-    RenderSettings settings;
-    const char* known;
-    RootMeanSquare rmse, brightness;  // of each seed's ImageError
-    Statistics correlation;
-    double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
-};
-
 // The row with this number of samples. examine sees each picture and its settings. Throws std::runtime_error if nothing
 // is lit in the truth: then there is nothing to compare.
-PictureCost picture_cost(const ComparedPicture& picture, std::size_t samples, const CostSettings& costs,
-                         const Image& truth,
+PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
                          const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
 
 // A line for each picture; the first pictures are classic Monte Carlo's. more: further cells of each line.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading = "",
                           const std::vector<std::string>& more = {});
+
+// The seconds, measured here, of each step from drawing n directions to their weights (Sobolev 3/2, noise 0.01): draw,
+// Q, factor, z, weights. The last one is z by 50,000 random directions, which a program without a closed form needs.
+std::vector<double> rule_seconds(std::size_t n);
+
+// What `workbench tradeoff` prints: the steps, and the pictures.
+struct TradeoffReport : Experiment {
+    std::string environment;  // empty: the built-in lights
+    std::vector<std::size_t> samples{10, 40};
+    CostSettings costs;
+
+    void add_options(Options& options) override;
+    std::string report() const override;
+};
 }  // namespace bmc

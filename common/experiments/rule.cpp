@@ -56,8 +56,12 @@ static std::string estimate_line(const GaussianProcess& process, Known known, co
            bar + '\n';
 }
 
-// The numbers of a line, without its comment. Throws std::runtime_error for a word that is none.
-static std::vector<double> columns_of(const std::string& line) {
+static std::runtime_error error_in(std::size_t line, const std::string& problem) {
+    return std::runtime_error(formatted("line %zu: ", line) + problem);
+}
+
+// The numbers of a line, without its comment.
+static std::vector<double> columns_of(const std::string& line, std::size_t number) {
     std::istringstream words(line.substr(0, line.find('#')));
     words.exceptions(std::ios::badbit);  // a lack of memory does not end the line
     std::vector<double> columns;
@@ -65,29 +69,28 @@ static std::vector<double> columns_of(const std::string& line) {
         char* end = nullptr;
         columns.push_back(std::strtod(word.c_str(), &end));
         if (end != word.c_str() + word.size() || !std::isfinite(columns.back()))
-            throw std::runtime_error("'" + word + "' is not a number" +
-                                     (word.find(',') == std::string::npos
-                                          ? "; # begins a comment"
-                                          : "; blanks stand between columns, not commas"));
+            throw error_in(number,
+                           "'" + word + "' is not a number" +
+                               (word.find(',') == std::string::npos ? "; # begins a comment"
+                                                                    : "; blanks stand between columns, not commas"));
     }
     return columns;
 }
 
 // Adds what stands in a line.
 static void add_line(Samples& samples, const std::string& line, std::size_t number) {
-    const std::vector<double> columns = columns_of(line);
+    const std::vector<double> columns = columns_of(line, number);
     const std::size_t n = columns.size();
     if (n == 0) return;
     if (n < 3 || n > 5)
-        throw std::runtime_error(formatted("expected x y z, x y z value, or x y z z_j weight, not %zu columns", n));
+        throw error_in(number, formatted("expected x y z, x y z value, or x y z z_j weight, not %zu columns", n));
     const Vec3 w{columns[0], columns[1], columns[2]};
     if (!(std::fabs(length(w) - 1) <= 1e-6))
-        throw std::runtime_error(formatted("the direction has the length %.9g; divide x, y and z by it", length(w)));
-    if (w.y < 0) throw std::runtime_error(formatted("y = %g is below the horizon; directions have y >= 0", w.y));
-    if (samples.directions.size() == max_process_samples)
-        throw std::runtime_error("at most 4096 directions are allowed");
+        throw error_in(number, formatted("the direction has the length %.9g; divide x, y and z by it", length(w)));
+    if (w.y < 0) throw error_in(number, formatted("y = %g is below the horizon; directions have y >= 0", w.y));
+    if (samples.directions.size() == max_process_samples) throw error_in(number, "at most 4096 directions are allowed");
     if (!samples.directions.empty() && n != samples.columns)
-        throw std::runtime_error(formatted("%zu columns, where earlier lines have %zu", n, samples.columns));
+        throw error_in(number, formatted("%zu columns, where earlier lines have %zu", n, samples.columns));
     samples.columns = n;
     samples.directions.push_back(w);
     samples.lines.push_back(number);
@@ -99,20 +102,15 @@ Samples read_samples(std::istream& in) {
     Samples samples;
     char line[4096];
     std::size_t number = 1;
-    for (; in.getline(line, sizeof line) && number < 65536; ++number) try {
-            std::string text(line, static_cast<std::size_t>(in.gcount()) - !in.eof());
-            if (number == 1 && (text.compare(0, 2, "\xff\xfe") == 0 || text.compare(0, 2, "\xfe\xff") == 0))
-                throw std::runtime_error("the file is UTF-16, as PowerShell's > writes it; save it as UTF-8");
-            if (number == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);  // a byte order mark
-            add_line(samples, text, number);
-        } catch (const std::ios_base::failure&) {
-            throw;
-        } catch (const std::runtime_error& error) {
-            throw std::runtime_error(formatted("line %zu: ", number) + error.what());
-        }
+    for (; in.getline(line, sizeof line) && number < 65536; ++number) {
+        std::string text(line, static_cast<std::size_t>(in.gcount()) - !in.eof());
+        if (number == 1 && (text.compare(0, 2, "\xff\xfe") == 0 || text.compare(0, 2, "\xfe\xff") == 0))
+            throw error_in(number, "the file is UTF-16, as PowerShell's > writes it; save it as UTF-8");
+        if (number == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);  // a byte order mark
+        add_line(samples, text, number);
+    }
     if (!in.fail() || !in.eof())  // a line too many, or a longer one
-        throw std::runtime_error(formatted("line %zu: fewer than 65536 lines of fewer than 4096 characters", number) +
-                                 " are allowed");
+        throw error_in(number, "fewer than 65536 lines of fewer than 4096 characters are allowed");
     if (samples.directions.empty()) throw std::runtime_error("there is no direction in the file");
     return samples;
 }
@@ -130,10 +128,10 @@ void RuleReport::add_options(Options& options) {
 static void require_z(const GaussianProcess& process, const Samples& given) {
     for (std::size_t j = 0; given.columns == 5 && j < given.fourth.size(); ++j)
         if (!(std::fabs(given.fourth[j] - process.z()[j]) <= 1e-6 * process.z()[j]))
-            throw std::runtime_error(
-                formatted("line %zu: five columns should be x y z z_j weight, but %.9g is not z_j, ", given.lines[j],
-                          given.fourth[j]) +
-                formatted("which is %.9g with these options; for a value write x y z value", process.z()[j]));
+            throw error_in(given.lines[j],
+                           formatted("five columns should be x y z z_j weight, but %.9g is not z_j, which is %.9g with "
+                                     "these options; for a value write x y z value",
+                                     given.fourth[j], process.z()[j]));
 }
 
 std::string RuleReport::report() const {

@@ -1,4 +1,4 @@
-#include "experiments/tradeoff.h"
+#include "experiments/picture_cost.h"
 
 #include "light/load_environment.h"
 #include "light/texels_on_sphere.h"
@@ -93,9 +93,9 @@ std::string TradeoffReport::report() const {
     for (const std::string& name : names) {
         const EnvironmentMap light = load_environment(name);
         const Image truth = reference_image(light, row_settings(costs, {}, 0), 10000);
-        const std::vector<ComparedPicture> compared = compared_pictures(light);
+        const std::vector<PictureCost> compared = compared_pictures(light);
         std::vector<PictureCost> rows;
-        for (const ComparedPicture& each : compared)
+        for (const PictureCost& each : compared)
             for (const std::size_t n : samples) {
                 rows.push_back(picture_cost(each, n, costs, truth));
                 progress.done(1.0 / static_cast<double>(compared.size() * samples.size()));

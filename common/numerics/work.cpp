@@ -9,7 +9,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <future>
 #include <system_error>
 #include <vector>
@@ -99,16 +98,14 @@ void Progress::show(const std::string& text) {
 const char* program_name = "bmc";
 
 // Nothing here allocates: the problem may be a lack of memory.
-void print_note(const std::string& text) { print_note(text.c_str()); }
-void print_note(const char* text) {
+void print_note(std::string_view text) {
     constexpr std::size_t most = 300;  // at either end
-    const std::size_t length = std::strlen(text);
     char line[2 * most + 8];
     std::size_t count = 0;
-    for (std::size_t i = 0; i < length; ++i) {
-        if (length > 2 * most && i == most) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text.size() > 2 * most && i == most) {
             for (const char* dots = " ... "; *dots; ++dots) line[count++] = *dots;
-            i = length - most;
+            i = text.size() - most;
         }
         const auto byte = static_cast<unsigned char>(text[i]);
         const bool of_utf8 = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F

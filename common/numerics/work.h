@@ -34,6 +34,5 @@ private:
 // Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
 // long text the middle is left out: it may quote options and files.
 extern const char* program_name;
-void print_note(const char* text);
-void print_note(const std::string& text);
+void print_note(std::string_view text);
 }  // namespace bmc

@@ -27,10 +27,6 @@ static std::string srgb_codes(const Image& image) {
     return bytes;
 }
 
-static std::string to_ppm(const Image& image) {
-    return formatted("P6\n%d %d\n255\n", image.width, image.height) + srgb_codes(image);
-}
-
 static std::string little_endian(std::uint32_t word) {
     std::string bytes;
     for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
@@ -67,7 +63,7 @@ double srgb_to_linear(double code) {
 
 std::string encode(const Image& image, Format format) {
     switch (format) {
-        case Format::ppm: return to_ppm(image);
+        case Format::ppm: return formatted("P6\n%d %d\n255\n", image.width, image.height) + srgb_codes(image);
         case Format::pfm: return to_pfm(image);
         case Format::bmp: return to_bmp(image);
     }

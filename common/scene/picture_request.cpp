@@ -72,8 +72,7 @@ void PictureRequest::require_possible() const {
 }
 
 Image PictureRequest::image(const EnvironmentMap& light) const {
-    const std::string missed = missed_light(light, settings.samples);
-    if (!missed.empty()) print_note("note: " + missed);
+    note_missed_light(light, settings.samples);
     return warned_picture(light, settings);
 }
 
@@ -90,11 +89,12 @@ std::string two_digits(double number) {
     return formatted("%.0f", std::strtod(formatted("%.1e", number).c_str(), nullptr));
 }
 
-std::string missed_light(const EnvironmentMap& light, std::size_t samples) {
+void note_missed_light(const EnvironmentMap& light, std::size_t samples, const char* cure) {
     const double c = contrast(light), root = std::sqrt(static_cast<double>(samples));
-    if (!(c > root / 2)) return "";
-    return "expect an error of about " + two_digits(100 * c / root) + " % of the picture's brightness with " +
-           formatted("%zu samples: the standard deviation of the light is %.2g times its mean", samples, c);
+    if (c > root / 2)
+        print_note("note: expect an error of about " + two_digits(100 * c / root) + " % of the picture's brightness " +
+                   formatted("with %zu samples: the standard deviation of the light is %.2g times its mean%s", samples,
+                             c, cure));
 }
 
 // Says how long --method direct will take, if that is more than a minute. Measured is a process of at most 200 samples;

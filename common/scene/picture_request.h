@@ -34,9 +34,9 @@ struct PictureRequest : Experiment {
 // A number from 1 on, rounded to two digits, for a person.
 std::string two_digits(double number);
 
-// What to expect of so many samples of this light where it is not known, if they miss it: the contrast c is above
-// sqrt(samples) / 2, so that the error is above half of the picture's brightness. Empty if they do not.
-std::string missed_light(const EnvironmentMap& light, std::size_t samples);
+// Prints a note on what to expect of so many samples of this light where it is not known, if they miss it: the contrast
+// c is above sqrt(samples) / 2, so that the error is above half of the picture's brightness. It ends with the cure.
+void note_missed_light(const EnvironmentMap& light, std::size_t samples, const char* cure = "");
 
 // The image of linear radiance, after warnings on stderr. Throws what the Gaussian processes throw.
 Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings);

@@ -1,6 +1,8 @@
 #include "scene/scene.h"
 
 namespace bmc {
+const Scene sphere_scene{{{0, 0, -5}, 2, {0.8, 0.8, 0.8}}, {-2, -4, 4, -9, -1, {0.2, 0.8, 0.2}}};
+
 // Distance along the ray to the object, if it lies ahead.
 static std::optional<double> distance(const Sphere& sphere, const Ray& ray) {
     const Vec3 offset = sphere.centre - ray.origin;

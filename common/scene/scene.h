@@ -38,7 +38,7 @@ struct Scene {
     Rectangle rectangle;
 };
 
-constexpr Scene sphere_scene{{{0, 0, -5}, 2, {0.8, 0.8, 0.8}}, {-2, -4, 4, -9, -1, {0.2, 0.8, 0.2}}};
+extern const Scene sphere_scene;
 
 enum class Object { sphere, rectangle };
 

@@ -11,9 +11,9 @@ TEST_CASE("the sun has half of its share of the samples, the sky the rest, each 
         const double half = 0.5 * sunny.averages->sun().share() * static_cast<double>(samples);
         const std::size_t rays = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(half)));
         const RenderSettings settings = small_picture(Method::mc, samples);
-        CHECK(sun_samples(*sunny.averages, samples) == rays);
+        CHECK(sun_samples(sunny, samples) == rays);
         CHECK(rules_of(sunny, settings).settings().samples == std::max(samples, rays + 1) - rays);
-        CHECK(sun_samples(*dim.averages, samples) == 0);
+        CHECK(sun_samples(dim, samples) == 0);
         CHECK(rules_of(dim, settings).settings().samples == samples);
     }
 }

@@ -1,4 +1,4 @@
-#include "experiments/tradeoff.h"
+#include "experiments/picture_cost.h"
 #include "test.h"
 
 #include <numeric>

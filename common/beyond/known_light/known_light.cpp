@@ -3,18 +3,14 @@
 #include <algorithm>
 
 namespace bmc::beyond {
-EnvironmentLight::EnvironmentLight(const EnvironmentMap& map, bool known, std::size_t threads) : environment(map) {
-    if (known) averages = std::make_shared<const PrefilteredEnvironment>(map, threads);
-}
-
-std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples) {
-    if (light.sun().empty()) return 0;
-    const double rays = 0.5 * light.sun().share() * static_cast<double>(samples);
+std::size_t sun_samples(const EnvironmentLight& light, std::size_t samples) {
+    if (!light.averages || light.averages->sun().empty()) return 0;
+    const double rays = 0.5 * light.averages->sun().share() * static_cast<double>(samples);
     return std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
 }
 
 PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings) {
-    const std::size_t sun = light.averages ? sun_samples(*light.averages, settings.samples) : 0;
+    const std::size_t sun = sun_samples(light, settings.samples);
     settings.samples = settings.samples > sun ? settings.samples - sun : 1;
     return PixelRules(settings);
 }
@@ -39,7 +35,7 @@ static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const Quad
 Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settings, const PixelRules& rules) {
     if (!any_light.averages) return environment_shader(any_light.environment, rules);
     const PrefilteredEnvironment& light = *any_light.averages;
-    const std::size_t sun_rays = sun_samples(light, settings.samples);
+    const std::size_t sun_rays = sun_samples(any_light, settings.samples);
     const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(rules.settings().samples));
     return [=, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
@@ -47,7 +43,7 @@ Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settin
         const Color sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
         const Color sun = sample_sun(sphere_scene, light.sun(), hit, sun_rays, random).fraction();
         return 1 / portable::pi *
-               (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun_irradiance(hit.normal) * sun));
+               (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun().irradiance(hit.normal) * sun));
     };
 }
 

@@ -21,14 +21,15 @@ namespace bmc::beyond {
 // too: the known part of the settings below is Known::cosine.
 struct EnvironmentLight {
     const EnvironmentMap& environment;
-    std::shared_ptr<const PrefilteredEnvironment> averages = nullptr;
+    std::shared_ptr<const PrefilteredEnvironment> averages;
 
-    EnvironmentLight(const EnvironmentMap& map, bool known, std::size_t threads);
+    EnvironmentLight(const EnvironmentMap& map, bool known, std::size_t threads)
+        : environment(map), averages(known ? std::make_shared<const PrefilteredEnvironment>(map, threads) : nullptr) {}
 };
 
-// The number of a pixel's samples that go to the sun: at least one, or none where there is no sun. The rules for the
+// The number of a pixel's samples that go to the sun: at least one, or none where no sun is known. The rules for the
 // sky have the others, at least one.
-std::size_t sun_samples(const PrefilteredEnvironment& light, std::size_t samples);
+std::size_t sun_samples(const EnvironmentLight& light, std::size_t samples);
 
 // The rules of a picture, and with them the colour of each of its points. The light must outlive the latter. The first
 // throws what the Gaussian processes throw.

@@ -89,10 +89,7 @@ const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
 }  // namespace
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
-    : sun_(not_too_bright(map)),
-      without_sun_(sun_.empty() ? std::nullopt : std::optional(sun_.sky())),
-      sky_(without_sun_ ? *without_sun_ : map),
-      irradiance_(irradiance_table(sky_, threads)) {
+    : sun_(not_too_bright(map)), sky_(sun_.sky()), irradiance_(irradiance_table(sky_, threads)) {
     const TexelsOnSphere texels(sky_, 256, 128);
     texel_ = texels.solid_angle(texels.rows() / 2);
     double smallest = pi;

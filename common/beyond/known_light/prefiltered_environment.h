@@ -5,15 +5,11 @@
 
 #include "beyond/known_light/sun.h"
 
-#include <optional>
-
 namespace bmc::beyond {
 class PrefilteredEnvironment {
 public:
     // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
     explicit PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads = 1);
-    PrefilteredEnvironment(const PrefilteredEnvironment&) = delete;
-    PrefilteredEnvironment& operator=(const PrefilteredEnvironment&) = delete;
 
     // The sun has no part in the caps' means.
     const Sun& sun() const { return sun_; }
@@ -23,15 +19,14 @@ public:
     // is added to each mean, so that no cap is black where there is light.
     const EnvironmentMap& means(double solid_angle) const;
 
-    // The irradiance of a surface that nothing shadows, with the unit normal n, by the sky and by the sun:
+    // The irradiance by the sky of a surface that nothing shadows, with the unit normal n:
     //     E(n) = integral of L cos(theta) d omega over the hemisphere around n.
-    // By the sky, from a table; its error is below 2e-3 of the largest E. (Nine harmonics would err by a few per cent:
+    // It is from a table; its error is below 2e-3 of the largest E. (Nine harmonics would err by a few per cent:
     // Ramamoorthi & Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001.)
     Color sky_irradiance(Vec3 normal) const {
         const TexelGrid& grid = irradiance_.grid();
         return irradiance_.interpolated(grid.column(normal.x, normal.z), grid.row(normal.y));
     }
-    Color sun_irradiance(Vec3 normal) const { return sun_.irradiance(normal); }
 
 private:
     EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, std::size_t threads) const;
@@ -42,9 +37,7 @@ private:
     };
 
     const Sun sun_;
-    const std::optional<EnvironmentMap> without_sun_;  // where there is one
-    const EnvironmentMap& sky_;
-    EnvironmentMap irradiance_;
+    const EnvironmentMap sky_, irradiance_;
     std::vector<Table> tables_;  // the smallest caps first
     double texel_;               // the solid angle of a texel of the sky
 };
