@@ -50,7 +50,6 @@ std::string KnownLightReport::report() const {
             picture_of_known(light, Method::mc, 1, Placement::cosine_fibonacci),
             picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
         std::vector<PictureCost> rows;
-        std::vector<std::string> cells;
         for (const PictureCost& each : compared)
             for (const std::size_t n : {10u, 40u}) {
                 const bool light_known = each.known == std::string("light");
@@ -62,13 +61,13 @@ std::string KnownLightReport::report() const {
                     predicted.add(root_mean_square(errors));
                     covered.add(coverage(image, truth, errors));
                 }));
-                cells.push_back(formatted("  %10.5f %6.3f", predicted.value(), covered.mean));
+                rows.back().more = formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
                 progress.done(0.5 / static_cast<double>(compared.size()));
             }
         text += (text.empty() ? "" : "\n\n") + ("# The sphere scene under " + name) +
                 ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"
                 "# errors within two predicted ones.\n" +
-                picture_table(rows, !costs.untimed, "   predicted within", cells);
+                picture_table(rows, !costs.untimed, "   predicted within");
     }
     return text;
 }

@@ -5,24 +5,19 @@
 #include <numeric>
 
 namespace bmc {
-static Integrand practice_integrand(PracticeIntegrand chosen) {
-    switch (chosen) {
-        case PracticeIntegrand::all: break;
-        case PracticeIntegrand::cosine: return {"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi};
-        case PracticeIntegrand::cosine_cubed:
-            return {"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2};
-        case PracticeIntegrand::environment:
-            return environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()));
-        case PracticeIntegrand::constant: return {"1", [](Vec3) { return 1.0; }, 2 * portable::pi};
-    }
-    throw std::logic_error("an integrand without a function");
-}
-
 std::vector<Integrand> practice_integrands(PracticeIntegrand chosen) {
-    if (chosen != PracticeIntegrand::all) return {practice_integrand(chosen)};
     std::vector<Integrand> integrands;
-    for (std::size_t i = 1; i < std::size(practice_integrand_names); ++i)
-        integrands.push_back(practice_integrand(static_cast<PracticeIntegrand>(i)));
+    switch (chosen) {
+        case PracticeIntegrand::cosine: return {{"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi}};
+        case PracticeIntegrand::cosine_cubed:
+            return {{"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2}};
+        case PracticeIntegrand::environment:
+            return {environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()))};
+        case PracticeIntegrand::constant: return {{"1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
+        case PracticeIntegrand::all:
+            for (std::size_t i = 1; i < std::size(practice_integrand_names); ++i)
+                integrands.push_back(practice_integrands(static_cast<PracticeIntegrand>(i))[0]);
+    }
     return integrands;
 }
 

@@ -36,6 +36,7 @@ struct PictureCost {
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
     Statistics correlation = {};
     double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
+    std::string more = "";             // further cells of its line
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
@@ -51,9 +52,8 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
 PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
                          const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
 
-// A line for each picture; the first pictures are classic Monte Carlo's. more: further cells of each line.
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading = "",
-                          const std::vector<std::string>& more = {});
+// A line for each picture; the first pictures are classic Monte Carlo's.
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading = "");
 
 // The seconds, measured here, of each step from drawing n directions to their weights (Sobolev 3/2, noise 0.01): draw,
 // Q, factor, z, weights. The last one is z by 50,000 random directions, which a program without a closed form needs.

@@ -10,12 +10,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double ln2_hi = 0x1.62e42feep-1;
 constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
 
-// x with only the leading bits of its significand: a product is exact if the bits of its factors add up to 53 or less.
-template <int bits>
-double leading_bits(double x) {
-    return bit_cast<double>(bit_cast<std::uint64_t>(x) >> (53 - bits) << (53 - bits));
-}
-
 // The unevaluated sum hi + lo of two doubles, which holds more digits than one.
 struct Sum {
     double hi, lo;
@@ -81,7 +75,8 @@ SineCosine sincos_turns(double turns) {
     const int octant = static_cast<int>(std::floor(8 * fraction)) + 8;
     const int quadrant = (octant + 1) / 2 - 4;
     const double t = fraction - 0.25 * quadrant;
-    const double t_hi = leading_bits<26>(t);
+    // The 26 leading bits of t: a product is exact if the bits of its factors add up to 53 or less.
+    const double t_hi = bit_cast<double>(bit_cast<std::uint64_t>(t) >> 27 << 27);
     const Sum x = fast_two_sum(t_hi * two_pi_hi, t_hi * two_pi_lo + (t - t_hi) * (two_pi_hi + two_pi_lo));
     const double square = x.hi * x.hi;
     const Sum parabola = fast_two_sum(1, -0.5 * square);

@@ -35,8 +35,6 @@ static void warn_of_exposure(const Image& image, double exposure) {
                   exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2)));
 }
 
-PictureRequest::PictureRequest() { settings.threads = processors(); }
-
 void PictureRequest::add_options(Options& options) {
     options.add("method", method_names, settings.method);
     options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, most_lattice_samples);

@@ -12,7 +12,7 @@ struct PictureRequest : Experiment {
     Format format = Format::ppm;
     double exposure = 0;  // in stops
 
-    PictureRequest();  // on all processors
+    PictureRequest() { settings.threads = processors(); }
 
     void add_options(Options& options) override;
     std::string report() const override;  // the file

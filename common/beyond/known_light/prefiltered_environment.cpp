@@ -35,16 +35,15 @@ std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>
 // The integral of L omega d omega for each cell and each colour.
 std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
-    std::vector<Vec3> azimuths;
-    for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(direction_of({1, 0}, texels.azimuth(i + 0.5)));
+    std::vector<portable::SineCosine> azimuths;
+    for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(texels.azimuth(i + 0.5));
     std::vector<Vec3> fluxes(3 * light_columns * light_rows);
     for (int row = 0; row < texels.rows(); ++row) {
         const portable::SineCosine polar = texels.polar(row + 0.5);
         const double solid_angle = texels.solid_angle(row);
         for (int column = 0; column < texels.columns(); ++column) {
             const Color light = solid_angle * texels(row, column);
-            const Vec3 azimuth = azimuths[static_cast<std::size_t>(column)];
-            const Vec3 direction{polar.sine * azimuth.x, polar.cosine, polar.sine * azimuth.z};
+            const Vec3 direction = direction_of(polar, azimuths[static_cast<std::size_t>(column)]);
             Vec3* flux = &fluxes[3 * (part_with(row, texels.rows(), light_rows) * light_columns +
                                       part_with(column, texels.columns(), light_columns))];
             for (const double colour : {light.x, light.y, light.z}) *flux++ += colour * direction;
