@@ -16,17 +16,18 @@ static Image grey_scale(Image errors, double white) {
 
 void Request::add_options(Options& options) {
     PictureRequest::add_options(options);
-    options.add("known", known_factor_names, known, known_remark);
-    if (settings.method == Method::mc && known != KnownFactor::light) options.make_idle({"known"}, "--method mc");
+    options.add_choice("known", {"nothing", "cosine", "light"}, 0, known_remark, [this](std::size_t chosen) {
+        settings.known = chosen > 0 ? Known::cosine : Known::nothing;
+        light_known = chosen == 2;
+    });
+    if (settings.method == Method::mc && !light_known) options.make_idle({"known"}, "--method mc");
     options.add("rmse", "X", "use as few samples as reach this predicted RMSE (instead of --samples)", rmse, 1e-9, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
     if (rmse > 0) options.make_idle({"samples"}, "--rmse");
 }
 
 Image Request::image(const EnvironmentMap& map) const {
-    const bool light_known = known == KnownFactor::light;
     RenderSettings chosen = settings;
-    chosen.known = known == KnownFactor::nothing ? Known::nothing : Known::cosine;
     const EnvironmentLight light(map, light_known, settings.threads);
     if (rmse > 0) {
         const Prediction found = samples_for(rmse, most_samples(), light, chosen);

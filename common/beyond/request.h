@@ -9,12 +9,8 @@ namespace bmc::beyond {
 enum class Show { picture, error };
 constexpr const char* show_names[] = {"picture", "error"};
 
-// What is known of the integrand L(omega) v(omega) cos(theta).
-enum class KnownFactor { nothing, cosine, light };
-constexpr const char* known_factor_names[] = {"nothing", "cosine", "light"};
-
 struct Request : PictureRequest {
-    KnownFactor known = KnownFactor::nothing;
+    bool light_known = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
     Show show = Show::picture;
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 

@@ -2,7 +2,9 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
-#include "scene/reflection.h"
+#include "light/environment.h"
+#include "quadrature/quadrature.h"
+#include "scene/scene.h"
 
 namespace bmc {
 enum class Method {

@@ -1,4 +1,4 @@
-#include "scene/reflection.h"
+#include "scene/render.h"
 
 namespace bmc {
 // BEGIN SOLUTION shade

@@ -32,7 +32,8 @@ static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const Quad
     return sky.fraction();
 }
 
-Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settings, const PixelRules& rules) {
+Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settings) {
+    const PixelRules rules = rules_of(any_light, settings);
     if (!any_light.averages) return environment_shader(any_light.environment, rules);
     const PrefilteredEnvironment& light = *any_light.averages;
     const std::size_t sun_rays = sun_samples(any_light, settings.samples);
@@ -48,6 +49,6 @@ Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settin
 }
 
 Image picture(const EnvironmentLight& light, const RenderSettings& settings) {
-    return render(light.environment, settings, shader_of(light, settings, rules_of(light, settings)));
+    return render(light.environment, settings, shader_of(light, settings));
 }
 }  // namespace bmc::beyond

@@ -31,10 +31,10 @@ struct EnvironmentLight {
 // sky have the others, at least one.
 std::size_t sun_samples(const EnvironmentLight& light, std::size_t samples);
 
-// The rules of a picture, and with them the colour of each of its points. The light must outlive the latter. The first
-// throws what the Gaussian processes throw.
+// The rules of a picture, and with them the colour of each of its points. The light must outlive the latter. Both throw
+// what the Gaussian processes throw.
 PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings);
-Shader shader_of(const EnvironmentLight& light, const RenderSettings& settings, const PixelRules& rules);
+Shader shader_of(const EnvironmentLight& light, const RenderSettings& settings);
 
 // The image of linear radiance. Throws as rules_of does.
 Image picture(const EnvironmentLight& light, const RenderSettings& settings);

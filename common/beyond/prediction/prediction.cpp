@@ -3,6 +3,8 @@
 #include "light/texels_on_sphere.h"
 #include "numerics/work.h"
 
+#include <numeric>
+
 namespace bmc::beyond {
 Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
     settings.method = Method::mc;
@@ -25,7 +27,7 @@ Shader better_shader(const EnvironmentLight& light, RenderSettings settings) {
     settings.placement = Placement::cosine_fibonacci;
     settings.samples = 4 * samples;
     ++settings.seed;
-    if (light.averages) return shader_of(light, settings, rules_of(light, settings));
+    if (light.averages) return shader_of(light, settings);
     return shader_with_sun(light.environment, settings, samples);
 }
 
@@ -89,22 +91,17 @@ static std::vector<PilotPixel> pilot_pixels(const RenderSettings& settings, doub
 }
 
 double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings, double rays) {
-    const Shader picture = shader_of(light, settings, rules_of(light, settings));
+    const Shader picture = shader_of(light, settings);
     const Shader better = better_shader(light, settings);
     const std::vector<PilotPixel> pixels = pilot_pixels(settings, rays);
     std::vector<double> squares(pixels.size());
-    constexpr std::size_t block = 512;
     Progress progress(static_cast<double>(pixels.size()));
-    for_each_row(static_cast<int>((pixels.size() + block - 1) / block), settings.threads, [&](int number) {
-        const std::size_t first = static_cast<std::size_t>(number) * block;
-        for (std::size_t i = first; i < std::min(first + block, pixels.size()); ++i) {
-            const auto& [x, y, hit] = pixels[i];
-            squares[i] = squared_distance(picture(hit, x, y), better(hit, x, y));
-        }
-        progress.done(block);
+    for_each_row(static_cast<int>(pixels.size()), settings.threads, [&](int i) {
+        const auto& [x, y, hit] = pixels[static_cast<std::size_t>(i)];
+        squares[static_cast<std::size_t>(i)] = squared_distance(picture(hit, x, y), better(hit, x, y));
+        progress.done();
     });
-    double sum = 0;
-    for (const double square : squares) sum += square;
+    const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
     return pixels.empty() ? 0 : std::sqrt(sum / (3 * static_cast<double>(pixels.size())));
 }
 
