@@ -52,8 +52,7 @@ std::string KnownLightReport::report() const {
         std::vector<PictureCost> rows;
         for (const PictureCost& each : compared)
             for (const std::size_t n : {10u, 40u}) {
-                const bool light_known = each.known == std::string("light");
-                const EnvironmentLight& light_of_picture = light_known ? light : unknown;
+                const EnvironmentLight& light_of_picture = each.known == std::string("light") ? light : unknown;
                 RootMeanSquare predicted;
                 Statistics covered;
                 rows.push_back(picture_cost(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {

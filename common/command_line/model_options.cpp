@@ -1,4 +1,4 @@
-#include "command_line/model_options.h"
+#include "command_line/command_line.h"
 
 #include <algorithm>
 
@@ -25,8 +25,7 @@ void add_sample_list(Options& options, std::vector<std::size_t>& samples) {
                      samples.clear();
                      for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
                          end = std::min(text.find(',', begin), text.size());
-                         const std::string number = text.substr(begin, end - begin);
-                         samples.push_back(static_cast<std::size_t>(parse_integer(number, 1, max_process_samples)));
+                         samples.push_back(parse(text.substr(begin, end - begin), std::size_t{1}, max_process_samples));
                      }
                  }});
 }

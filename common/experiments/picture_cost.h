@@ -2,7 +2,7 @@
 // every method, against a dense quadrature.
 #pragma once
 
-#include "command_line/model_options.h"
+#include "command_line/command_line.h"
 #include "numerics/statistics.h"
 #include "scene/render.h"
 

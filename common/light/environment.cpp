@@ -8,9 +8,6 @@ EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
     rgb_.insert(rgb_.begin(), 3, 0);  // texel 0
 }
 
-EnvironmentMap::EnvironmentMap(int width, int height)
-    : grid_{width, height}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-
 Color EnvironmentMap::interpolated(double u, double v) const {
     const int columns = std::max(width() - 1, 1), left = static_cast<int>(std::floor(u)) + columns;
     const int above = static_cast<int>(std::floor(v));

@@ -29,7 +29,8 @@ public:
     EnvironmentMap(int width, int height, std::vector<float> rgb);
 
     // A black map, to be filled with set: finite radiance >= 0.
-    EnvironmentMap(int width, int height);
+    EnvironmentMap(int width, int height)
+        : grid_{width, height}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
     void set(int x, int y, Color radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
         rgb[0] = static_cast<float>(radiance.x);

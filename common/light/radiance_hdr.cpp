@@ -75,15 +75,13 @@ Header read_header(std::istream& in, std::vector<std::string>& notes) {
     }
     const std::string line = header_line(in);
     char a, b, c, d, more;
-    int first, second;
-    if (std::sscanf(line.c_str(), "%c%c %9d %c%c %9d %c", &a, &b, &first, &c, &d, &second, &more) != 6 || first < 1 ||
-        second < 1 || std::int64_t{first} * second > EnvironmentMap::max_texels)
+    if (std::sscanf(line.c_str(), "%c%c %9d %c%c %9d %c", &a, &b, &header.height, &c, &d, &header.width, &more) != 6 ||
+        header.height < 1 || header.width < 1 ||
+        std::int64_t{header.height} * header.width > EnvironmentMap::max_texels)
         throw std::runtime_error("resolution line '" + line + "': it should be '-Y height +X width', with at most " +
                                  std::to_string(EnvironmentMap::max_texels) + " texels");
     if (a != '-' || b != 'Y' || c != '+' || d != 'X')
         throw std::runtime_error("'" + line + "' is an orientation that is not supported, only -Y +X is" + converter);
-    header.height = first;
-    header.width = second;
     return header;
 }
 

@@ -17,8 +17,7 @@ namespace bmc {
 using Clock = std::chrono::steady_clock;
 
 std::size_t processors() {
-    const std::size_t number = std::thread::hardware_concurrency();  // 0 if it is not known
-    return number > 0 ? number : 1;
+    return std::max(1u, std::thread::hardware_concurrency());  // 0 if it is not known
 }
 
 void for_each_row(int rows, std::size_t threads, const std::function<void(int y)>& row) {

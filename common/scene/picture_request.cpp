@@ -8,11 +8,10 @@
 
 namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {
-    const auto side = [](const std::string& number) { return static_cast<int>(parse_integer(number, 1, 8192)); };
     const std::size_t cross = text.find('x');
     try {
-        settings.width = side(text.substr(0, cross));
-        settings.height = cross == std::string::npos ? settings.width : side(text.substr(cross + 1));
+        settings.width = parse<int>(text.substr(0, cross), 1, 8192);
+        settings.height = cross == std::string::npos ? settings.width : parse<int>(text.substr(cross + 1), 1, 8192);
     } catch (const std::invalid_argument&) {
         throw std::invalid_argument("'" + text + "' is not WxH or W, of whole numbers from 1 to 8192");
     }
