@@ -33,9 +33,8 @@ Vec3 rotate_around_y(Vec3 direction, double turns);
 struct Frame {
     Vec3 tangent, normal, bitangent;
 
-    // The frame of a unit normal, continuous except where normal.z changes its sign. You can verify it with dot
-    // products (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis,
-    // revisited", 2017).
+    // The frame of a unit normal, continuous except where normal.z changes sign. You can verify it with dot products
+    // (Duff, Burgess, Christensen, Hery, Kensler, Liani & Villemin, "Building an orthonormal basis, revisited", 2017).
     explicit Frame(Vec3 unit_normal);
 
     // This frame rotated about its normal: the new to_world(v) is the old to_world(rotate_around_y(v, turns)).

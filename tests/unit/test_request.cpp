@@ -8,7 +8,8 @@ TEST_CASE("of two known factors the last one counts") {
     Options options;
     request.add_options(options);
     parse({"--known=light", "--known=cosine"}, options);
-    CHECK(request.known == KnownFactor::cosine);
+    CHECK(request.settings.known == Known::cosine);
+    CHECK(!request.light_known);
     CHECK_THROWS_WITH(parse({"--known=all"}, options), "--known: 'all' is not nothing, cosine or light");
 }
 
