@@ -33,9 +33,8 @@ TEST_CASE("the table for a solid angle is the nearest one, or the map below ten 
     CHECK(!one_table(pi / 2.1, pi));
     // A texel at the equator has 2 pi / 1023 times pi / 511; the smallest caps, ten texels wide, have pi / 1024.
     const double between = std::sqrt(2 * pi / 1023 * pi / 511 * pi / 1024);
-    CHECK(light.means(1e-6).width() == 1024);
-    CHECK(light.means(1e-6).color(1).x == 1);  // without the millionth that is added to means
-    CHECK(one_table(between * 0.999, 1e-6));
+    CHECK(&light.means(1e-6) == &map);
+    CHECK(&light.means(between * 0.999) == &map);
     CHECK(one_table(between * 1.001, pi / 1024));
     CHECK(!one_table(pi / 1024, pi / 256));
 }
@@ -56,7 +55,7 @@ TEST_CASE("a radiance that exceeds 1e36 is refused") {
 }
 
 TEST_CASE("the sun has no part in the sky's means and irradiance") {
-    const EnvironmentMap map = sunny_map(), sky = Sun(map).sky();
+    const EnvironmentMap map = sunny_map(), sky = *Sun(map).sky();
     const PrefilteredEnvironment light(map), dim(sky);
     const Vec3 to_sun = towards(50.5 / 63, 10.5 / 31);
     CHECK(light.sky_irradiance(to_sun) == dim.sky_irradiance(to_sun));

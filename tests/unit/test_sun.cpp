@@ -17,8 +17,8 @@ TEST_CASE("the sun is the texels of more than a hundred times the mean radiance"
         CHECK(sun.empty() == !shines);
         CHECK(std::fabs(sun.light() - shines * 4 * pi * part * 3 * radiance) < 1e-5);  // floats
         CHECK(std::fabs(sun.share() - shines * part * radiance / (1 - part + part * radiance)) < 1e-6);
-        CHECK(sun.sky().color(place).x == (shines ? 0 : map.color(place).x));
-        CHECK(sun.sky().color(place + 1).x == 1);
+        CHECK(sun.sky()->color(place).x == (shines ? 0 : map.color(place).x));
+        CHECK(sun.sky()->color(place + 1).x == 1);
     }
 }
 

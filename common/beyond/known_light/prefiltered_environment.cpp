@@ -88,13 +88,13 @@ const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
 }  // namespace
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
-    : sun_(not_too_bright(map)), sky_(sun_.sky()), irradiance_(irradiance_table(sky_, threads)) {
-    const TexelsOnSphere texels(sky_, 256, 128);
+    : sun_(not_too_bright(map)), sky_(sun_.sky()), irradiance_(irradiance_table(*sky_, threads)) {
+    const TexelsOnSphere texels(*sky_, 256, 128);
     texel_ = texels.solid_angle(texels.rows() / 2);
     double smallest = pi;
     while (std::sqrt(smallest / pi) >= 10 * pi / texels.rows()) smallest /= 4;
     for (double solid_angle = smallest; solid_angle <= pi; solid_angle *= 4)
-        tables_.push_back({solid_angle, average(tables_.empty() ? sky_ : tables_.back().means, solid_angle, threads)});
+        tables_.push_back({solid_angle, average(tables_.empty() ? *sky_ : tables_.back().means, solid_angle, threads)});
 }
 
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
@@ -104,7 +104,7 @@ EnvironmentMap PrefilteredEnvironment::average(const EnvironmentMap& finer, doub
     const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
     const std::vector<Vec3> local = cap_directions(solid_angle);
     const Color light = sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0});
-    const Color everywhere = &finer == &sky_ ? 1e-6 / (2 * pi) * light : Color{};
+    const Color everywhere = &finer == sky_.get() ? 1e-6 / (2 * pi) * light : Color{};
     EnvironmentMap means(columns + 1, rows + 1);
     const auto row = [&](int y) {
         const portable::SineCosine polar = portable::sincos_turns(0.5 * (std::min(y, rows - 1) + 0.5) / rows);
@@ -124,7 +124,7 @@ EnvironmentMap PrefilteredEnvironment::average(const EnvironmentMap& finer, doub
 
 const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
     double smaller = texel_;
-    const EnvironmentMap* nearest = &sky_;
+    const EnvironmentMap* nearest = sky_.get();
     for (const Table& table : tables_) {
         if (solid_angle * solid_angle >= smaller * table.solid_angle) nearest = &table.means;
         smaller = table.solid_angle;

@@ -37,7 +37,8 @@ private:
     };
 
     const Sun sun_;
-    const EnvironmentMap sky_, irradiance_;
+    const std::shared_ptr<const EnvironmentMap> sky_;
+    const EnvironmentMap irradiance_;
     std::vector<Table> tables_;  // the smallest caps first
     double texel_;               // the solid angle of a texel of the sky
 };

@@ -51,9 +51,10 @@ Color Sun::irradiance(Vec3 normal) const {
     return sum;
 }
 
-EnvironmentMap Sun::sky() const {
-    EnvironmentMap sky = map_;
-    for (const Texel& texel : texels_) sky.set(texel.column, texel.row, {});
+std::shared_ptr<const EnvironmentMap> Sun::sky() const {
+    if (empty()) return {std::shared_ptr<void>(), &map_};
+    const auto sky = std::make_shared<EnvironmentMap>(map_);
+    for (const Texel& texel : texels_) sky->set(texel.column, texel.row, {});
     return sky;
 }
 

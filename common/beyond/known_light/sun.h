@@ -7,6 +7,8 @@
 #include "numerics/random.h"
 #include "scene/scene.h"
 
+#include <memory>
+
 namespace bmc::beyond {
 // Sums over rays: of all light, and of what arrives.
 struct RatioEstimator {
@@ -34,8 +36,8 @@ public:
     // The irradiance of a unit normal if nothing is in the way, by 256 rays.
     Color irradiance(Vec3 normal) const;
 
-    // The map without the sun.
-    EnvironmentMap sky() const;
+    // The map without the sun: where there is none, the map itself, which must then outlive it.
+    std::shared_ptr<const EnvironmentMap> sky() const;
 
     // colour: the radiance there, scaled to R + G + B = 1.
     struct Ray {

@@ -10,8 +10,7 @@ Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::
     settings.method = Method::mc;
     settings.placement = Placement::cosine_fibonacci;
     const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would rarely meet
-    const auto sky = std::make_shared<const EnvironmentMap>(sun->sky());
-    return [=, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
+    return [=, sky = sun->sky(), rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         const Color of_sky = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
