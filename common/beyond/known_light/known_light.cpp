@@ -25,7 +25,10 @@ static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const Quad
     }
     if (all == visible) return {1, 1, 1};
     RatioEstimator sky;
-    for (std::size_t i = 0; i < rule.size(); ++i) sky.add(rule.weights[i] * means.color(all[i]), visible[i] > 0);
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+        sky.all += rule.weights[i] * means.color(all[i]);
+        sky.visible += rule.weights[i] * means.color(visible[i]);
+    }
     return sky.fraction();
 }
 
