@@ -14,8 +14,6 @@
 #include "beyond/known_light/prefiltered_environment.h"
 #include "scene/render.h"
 
-#include <memory>
-
 namespace bmc::beyond {
 // An environment, which must outlive it, and its averages, where it is to be known. Then the cosine is to be known,
 // too: the known part of the settings below is Known::cosine.
