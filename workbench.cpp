@@ -6,9 +6,9 @@
 #include "experiments/error_table.h"
 #include "experiments/light.h"
 #include "experiments/models.h"
-#include "experiments/picture_cost.h"
 #include "experiments/rule.h"
 #include "experiments/stability.h"
+#include "experiments/tradeoff.h"
 
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/known_light_cost.h")

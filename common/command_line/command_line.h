@@ -5,13 +5,14 @@
 #include "numerics/formatted.h"
 #include "numerics/portable_math.h"
 #include "numerics/work.h"
-#include "quadrature/quadrature.h"
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace bmc {
 // Output that lacks a part. It is printed all the same; the exit status is 1.
@@ -102,17 +103,6 @@ std::string describe(const Options& options);
 // What the command prints for the arguments in argv: its report, or with --help the usage and its options. A note on
 // stderr names each option that changes nothing. Throws std::invalid_argument if a file would go to a terminal.
 std::string run_command(const Command& command, const std::string& usage, int argc, char** argv);
-
-// The options of a Gaussian process and of its samples: covariance, smoothness, length-scale, noise, known, placement,
-// seed.
-void add_model_options(Options& options, ModelSettings& settings);
-constexpr const char* known_remark = ": known factor of the integrand";
-
-// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
-constexpr std::size_t max_process_samples = 4096;
-
-// samples: a list such as 10,20,40, each at most max_process_samples.
-void add_sample_list(Options& options, std::vector<std::size_t>& samples);
 
 // An enumeration stands beside an array of its names, in the order of the enumerators, which options and reports read.
 template <class T, std::size_t count>

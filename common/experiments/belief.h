@@ -1,7 +1,7 @@
 // What a Gaussian process believes of the light that arrives at a point of the rectangle, as a picture.
 #pragma once
 
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 #include "light/load_environment.h"
 
 namespace bmc {

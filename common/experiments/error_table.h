@@ -2,7 +2,7 @@
 // samples.
 #pragma once
 
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 #include "experiments/integrands.h"
 #include "numerics/statistics.h"
 #include "numerics/work.h"

@@ -1,5 +1,4 @@
-// What accuracy costs: the time of each step of a rule, and the errors and the time of a picture of the sphere scene by
-// every method, against a dense quadrature.
+// What the accuracy of a picture costs: the sphere scene by every method against a dense quadrature.
 #pragma once
 
 #include "command_line/command_line.h"
@@ -54,18 +53,4 @@ PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSet
 
 // A line for each picture; the first pictures are classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading = "");
-
-// The seconds, measured here, of each step from drawing n directions to their weights (Sobolev 3/2, noise 0.01): draw,
-// Q, factor, z, weights. The last one is z by 50,000 random directions, which a program without a closed form needs.
-std::vector<double> rule_seconds(std::size_t n);
-
-// What `workbench tradeoff` prints: the steps, and the pictures.
-struct TradeoffReport : Experiment {
-    std::string environment;  // empty: the built-in lights
-    std::vector<std::size_t> samples{10, 40};
-    CostSettings costs;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-};
 }  // namespace bmc

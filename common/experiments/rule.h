@@ -1,7 +1,7 @@
 // The numbers of a rule of Bayesian Monte Carlo, on directions that are drawn or read from a file.
 #pragma once
 
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 
 #include <iosfwd>
 

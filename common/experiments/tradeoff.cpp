@@ -1,4 +1,4 @@
-#include "experiments/picture_cost.h"
+#include "experiments/tradeoff.h"
 
 #include "light/load_environment.h"
 #include "light/texels_on_sphere.h"

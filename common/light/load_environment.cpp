@@ -1,5 +1,6 @@
 #include "light/load_environment.h"
 
+#include "light/radiance_hdr.h"
 #include "numerics/input.h"
 #include "numerics/work.h"
 

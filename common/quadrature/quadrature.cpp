@@ -67,11 +67,20 @@ double stability_constant(const QuadratureRule& rule) {
     return sum / known_integral(rule.known);
 }
 
-double white_brightness(const QuadratureRule& rule) { return relative_weight_sum(cosine_rule(rule)); }
+// W_j. Not by cosine_rule, which students write: assignment 3.1 prints these numbers before that.
+static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
+    return rule.weights[j] * (rule.known == Known::cosine ? 1 : rule.directions[j].y);
+}
+
+double white_brightness(const QuadratureRule& rule) {
+    double sum = 0;
+    for (std::size_t j = 0; j < rule.size(); ++j) sum += weight_in_picture(rule, j);
+    return sum / portable::pi;
+}
 
 double noise_gain(const QuadratureRule& rule) {
-    const std::vector<double> w = cosine_rule(rule).weights;
-    const double squares = std::inner_product(w.begin(), w.end(), w.begin(), 0.0);
+    double squares = 0;
+    for (std::size_t j = 0; j < rule.size(); ++j) squares += weight_in_picture(rule, j) * weight_in_picture(rule, j);
     return std::sqrt(3 * static_cast<double>(rule.size()) * squares) / (2 * portable::pi);
 }
 }  // namespace bmc

@@ -1,7 +1,7 @@
 // What the renderer is asked for: a picture of the sphere scene.
 #pragma once
 
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 #include "light/load_environment.h"
 #include "scene/render.h"
 

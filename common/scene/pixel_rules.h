@@ -2,9 +2,7 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
-#include "light/environment.h"
-#include "quadrature/quadrature.h"
-#include "scene/scene.h"
+#include "scene/reflection.h"
 
 namespace bmc {
 enum class Method {

@@ -1,4 +1,4 @@
-#include "scene/render.h"
+#include "scene/reflection.h"
 
 namespace bmc {
 // BEGIN SOLUTION shade

@@ -1,4 +1,4 @@
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 #include "test.h"
 
 TEST_CASE("the options of a model set its members, in the ranges of a process") {

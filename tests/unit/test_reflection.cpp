@@ -1,4 +1,4 @@
-#include "scene/render.h"
+#include "scene/reflection.h"
 #include "test.h"
 
 TEST_CASE("a rule for cos(theta) has it in its weights, once") {

@@ -1,4 +1,4 @@
-#include "experiments/picture_cost.h"
+#include "experiments/tradeoff.h"
 #include "test.h"
 
 #include <numeric>
