@@ -77,9 +77,9 @@ $(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/*/*.cpp)
 $(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp) tests/unit
 $(BUILD)/%_sources.cpp:
 	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(abspath $(filter %.cpp,$^)) > $@
+	@printf '#include "%s"\n' $(filter %.cpp,$^) > $@
 $(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
-	$(call say,CXX $<) $(COMPILE) -w -Itests/unit $(EXTRA) -MMD -MP -c $< -o $@
+	$(call say,CXX $<) $(COMPILE) -w -I. -Itests/unit $(EXTRA) -MMD -MP -c $< -o $@
 ONE_SOURCE = HEADERS= COMMON='$$(BUILD)/common_sources.o' UNIT_AS_ONE=yes
 
 SANITIZED = $(BUILD)/sanitizers
