@@ -131,9 +131,7 @@ TEST_CASE("a note is one line without control characters, the middle left out if
     const auto shown = [](const std::string& text) { return stderr_of([&] { print_note(text); }); };
     CHECK(shown("a\nb\r\x1b[2J\x7f\xc2\x9b \xc3\x9c") == Containing{": a?b??[2J?\xc2? \xc3\x9c\n"});
     const std::string ends = shown("first" + std::string(100000, 'x') + "last");
-    CHECK(ends == Containing{": first"});
-    CHECK(ends == Containing{"last\n"});
-    CHECK(ends.size() < 700);
+    CHECK(ends == Containing{": first" + std::string(295, 'x') + " ... " + std::string(296, 'x') + "last\n"});
     CHECK(shown(std::string(600, 'x')) == Containing{": " + std::string(600, 'x') + "\n"});
 }
 
