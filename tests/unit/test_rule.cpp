@@ -1,4 +1,5 @@
 #include "experiments/rule.h"
+#include "numerics/input.h"
 #include "test.h"
 
 static Samples samples_in(const std::string& content) {
@@ -87,6 +88,23 @@ TEST_CASE("an error of reading is not the end of the directions, wherever it is"
         std::istream in(&buffer);
         CHECK_MESSAGE(message_of([&] { read_samples(in); }) == Containing{"an error of reading"}, bytes);
     }
+}
+
+// A pipe that has no more yet, and does not wait, is an error after what it had.
+TEST_CASE("an error of reading standard input is not its end") {
+    const int before = dup(STDIN_FILENO);
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    REQUIRE(write(ends[1], "0 1 0\n", 6) == 6);
+    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    dup2(ends[0], STDIN_FILENO);
+    const std::string message = message_of([] { read_file("-", read_samples); });
+    dup2(before, STDIN_FILENO);
+    for (const int file : {before, ends[0], ends[1]}) close(file);
+    std::clearerr(stdin);
+    std::cin.exceptions(std::ios::goodbit);
+    std::cin.clear();
+    CHECK(message == "standard input: it cannot be read to its end");
 }
 
 // Of one direction w = z / (k(0) + noise^2), V = zz - z w.
