@@ -125,6 +125,8 @@ TEST_CASE("the report has directions, z, weights and their sums, and an estimate
     CHECK(cosine == Containing{"the integral of cos(theta) is 3.14159"});
     CHECK(cosine == Containing{"# The integral of the values times cos(theta): estimate"});
     CHECK(cosine == Containing{formatted("%.9g", SobolevKnownCosine().z(1))});
+    const double s = SobolevKnownCosine().z(1) / (8.0 / 3 + 1e-4) / pi;  // of one weight
+    CHECK(cosine == Containing{formatted("over that integral = %.4g (Monte Carlo: 1)", s)});
 }
 
 TEST_CASE("an estimate that is too large fails, and an error bar that is only rounding is unknown") {
