@@ -13,7 +13,7 @@ TEST_CASE("of two known factors the last one counts") {
     CHECK_THROWS_WITH(parse({"--known=all"}, options), "--known: 'all' is not nothing, cosine or light");
 }
 
-TEST_CASE("errors in a PFM are as predicted, in a PPM grey, white at twice their root mean square") {
+TEST_CASE("errors in a PFM are as predicted, in a PPM or BMP grey, white at twice their root mean square") {
     Request request;
     request.settings = small_picture(Method::mc, 5, 16);
     request.show = Show::error;
@@ -21,8 +21,10 @@ TEST_CASE("errors in a PFM are as predicted, in a PPM grey, white at twice their
     Image errors(1, 1), grey(1, 1);
     const std::string note = stderr_of([&] { errors = request.image(coloured_map(32, 17)); });
     CHECK(note == Containing{formatted("5 samples for a predicted RMSE of %.2g\n", root_mean_square(errors))});
-    request.format = Format::ppm;
-    stderr_of([&] { grey = request.image(coloured_map(32, 17)); });
-    CHECK(relative(root_mean_square(grey), 0.5) < 1e-14);
-    for (const Color& pixel : grey.pixels) CHECK(pixel == pixel.x * Color{1, 1, 1});
+    for (const Format format : {Format::ppm, Format::bmp}) {
+        request.format = format;
+        stderr_of([&] { grey = request.image(coloured_map(32, 17)); });
+        CHECK(relative(root_mean_square(grey), 0.5) < 1e-14);
+        for (const Color& pixel : grey.pixels) CHECK(pixel == pixel.x * Color{1, 1, 1});
+    }
 }
