@@ -19,15 +19,16 @@ auto read_file(const std::string& name, Read read, const char* missing = "there 
 #ifdef _WIN32
     if (name == "-") _setmode(STDIN_FILENO, _O_BINARY);
 #endif
+    std::string problem;
     try {
         if (name != "-" && !file) throw std::runtime_error(missing);
         auto content = read(name == "-" ? std::cin : file);
-        if (std::ferror(stdin)) throw std::ios_base::failure("");
-        return content;
+        if (!std::ferror(stdin)) return content;
     } catch (const std::ios_base::failure&) {
-        throw std::runtime_error(shown + ": it cannot be read to its end");
     } catch (const std::runtime_error& error) {
-        throw std::runtime_error(shown + ": " + error.what());
+        problem = error.what();
     }
+    const bool unread = problem.empty() || std::ferror(stdin);
+    throw std::runtime_error(shown + ": " + (unread ? "it cannot be read to its end" : problem));
 }
 }  // namespace bmc
