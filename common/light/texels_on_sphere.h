@@ -55,9 +55,8 @@ double mean_over_directions(const EnvironmentMap& map, Function f) {
     return sum / (4 * portable::pi);
 }
 
-// The mean over all directions of (b - mean of b)^power, where b is brightness(L).
-inline double central_moment(const EnvironmentMap& map, int power) {
-    const double mean = mean_over_directions(map, brightness);
+// The mean over all directions of (b - mean)^power, where b is brightness(L) and has this mean.
+inline double central_moment(const EnvironmentMap& map, double mean, int power) {
     return mean_over_directions(map, [=](Color c) {
         double product = 1;
         for (int i = 0; i < power; ++i) product *= brightness(c) - mean;
@@ -68,7 +67,8 @@ inline double central_moment(const EnvironmentMap& map, int power) {
 // c, the standard deviation of the light over its mean; nan for a black one. N independent samples err by about
 // c / sqrt(N) of what they estimate, so where c > sqrt(N) they miss the light.
 inline double contrast(const EnvironmentMap& map) {
-    return std::sqrt(central_moment(map, 2)) / mean_over_directions(map, brightness);
+    const double mean = mean_over_directions(map, brightness);
+    return std::sqrt(central_moment(map, mean, 2)) / mean;
 }
 
 // The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).

@@ -105,8 +105,8 @@ double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings,
 }
 
 double kurtosis(const EnvironmentMap& map) {
-    const double variance = central_moment(map, 2);
-    return variance > 0 ? central_moment(map, 4) / (variance * variance) : 1;
+    const double mean = mean_over_directions(map, brightness), variance = central_moment(map, mean, 2);
+    return variance > 0 ? central_moment(map, mean, 4) / (variance * variance) : 1;
 }
 
 Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, RenderSettings settings) {
