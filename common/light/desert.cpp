@@ -96,14 +96,12 @@ static inline Color desert_color(Color color, Vec3 d) {
     return {clamp01(color.x), clamp01(color.y), clamp01(color.z)};
 }
 
-static Color bright_desert_color(Color color, Vec3 d) {
-    return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert_color(color, d);
+// The light of this number in built_in_lights: what stands before ground and sky of a direction, or in their place.
+static inline Color light_color(std::size_t number, Color color, Vec3 d) {
+    if (number == 2) return d.x > 0 ? Color{1, 1, 1} : Color{};
+    const double of_sun = number == 1 ? 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun)) : 1;
+    return of_sun * desert_color(color, d);
 }
-
-static Color black_and_white_color(Color, Vec3 d) { return d.x > 0 ? Color{1, 1, 1} : Color{}; }
-
-// The lights, in the order of their names: what stands before ground and sky of a direction, or in their place.
-static Color (*const lights[])(Color, Vec3) = {desert_color, bright_desert_color, black_and_white_color};
 
 // The map of a light at the centres of texels.
 EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
@@ -114,13 +112,14 @@ EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
     for_each_row(height, threads, [&](int j) {
         const auto [sine, cosine] = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
         const double above = edge(cosine);
-        std::vector<Vec3> directions;
-        for (const auto& a : azimuths) directions.push_back({sine * a.sine, cosine, -sine * a.cosine});
+        std::vector<Vec3> directions(width);
+        for (std::size_t i = 0; i < width; ++i)
+            directions[i] = {sine * azimuths[i].sine, cosine, -sine * azimuths[i].cosine};
         std::vector<Color> colors(width);
         for (std::size_t i = 0; i < width && above < 1; ++i) colors[i] = ground(directions[i]);
         for (std::size_t i = 0; i < width && above > 0; ++i) colors[i] = mix(colors[i], sky(directions[i]), above);
         for (std::size_t i = 0; i < width; ++i)
-            map.set(static_cast<int>(i), j, lights[number](colors[i], directions[i]));
+            map.set(static_cast<int>(i), j, light_color(number, colors[i], directions[i]));
     });
     return map;
 }

@@ -15,7 +15,7 @@ Shader environment_shader(const EnvironmentMap& environment, const PixelRules& r
 
 // How long a row takes, in any unit. Sky takes almost no time, so this counts objects in some of the row's pixels.
 static double work(const Camera& camera, int y) {
-    const int step = std::max(1, camera.width / 32);
+    const int step = std::max(1, camera.width / 8);
     double objects = 0.1;
     for (int x = step / 2; x < camera.width; x += step)
         objects += intersect(sphere_scene, camera.ray(x, y)).has_value();
