@@ -33,7 +33,8 @@ say = $(if $(V)$(SILENT),,@echo '$(1)' &&)
 .PHONY: always all clean help
 all: $(BIN)/workbench $(BIN)/renderer
 
-$(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON)
+# Linked again when a source goes, too: its folder has changed.
+$(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON) $(wildcard common/*/ common/*/*/)
 	$(call say,LINK $@) $(LINK) -o $@
 
 # Both programs include headers of common/beyond if it exists: the folder common changes when it comes or goes.
