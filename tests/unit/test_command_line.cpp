@@ -134,14 +134,3 @@ TEST_CASE("a note is one line without control characters, the middle left out if
     CHECK(ends == Containing{": first" + std::string(295, 'x') + " ... " + std::string(296, 'x') + "last\n"});
     CHECK(shown(std::string(600, 'x')) == Containing{": " + std::string(600, 'x') + "\n"});
 }
-
-TEST_CASE("an exception is a line on standard error, and the exit status 2 or 1") {
-    int status = 0;
-    const auto run = [&](const std::function<std::string()>& body) {
-        const std::string printed = stderr_of([&] { status = run_program("program", body); });
-        return printed + std::to_string(status);
-    };
-    CHECK(run([]() -> std::string { throw std::invalid_argument("a mistake"); }) == "program: a mistake\n2");
-    CHECK(run([]() -> std::string { throw std::runtime_error("a problem"); }) == "program: a problem\n1");
-    CHECK(run([]() -> std::string { throw std::bad_alloc(); }) == Containing{"there is not enough memory"});
-}

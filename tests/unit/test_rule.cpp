@@ -1,5 +1,4 @@
 #include "experiments/rule.h"
-#include "numerics/input.h"
 #include "test.h"
 
 static Samples samples_in(const std::string& content) {
@@ -90,23 +89,6 @@ TEST_CASE("an error of reading is not the end of the directions, wherever it is"
     }
 }
 
-// A pipe that has no more yet, and does not wait, is an error after what it had.
-TEST_CASE("an error of reading standard input is not its end") {
-    const int before = dup(STDIN_FILENO);
-    int ends[2];
-    REQUIRE(pipe(ends) == 0);
-    REQUIRE(write(ends[1], "0 1 0\n", 6) == 6);
-    fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    dup2(ends[0], STDIN_FILENO);
-    const std::string message = message_of([] { read_file("-", read_samples); });
-    dup2(before, STDIN_FILENO);
-    for (const int file : {before, ends[0], ends[1]}) close(file);
-    std::clearerr(stdin);
-    std::cin.exceptions(std::ios::goodbit);
-    std::cin.clear();
-    CHECK(message == "standard input: it cannot be read to its end");
-}
-
 // Of one direction w = z / (k(0) + noise^2), V = zz - z w.
 TEST_CASE("the report has directions, z, weights and their sums, and an estimate of values") {
     const double z = Sobolev().z(0.8), q = 8.0 / 3 + 0.25, w = z / q, amplitude = 3 / std::sqrt(q);
@@ -144,25 +126,10 @@ TEST_CASE("an estimate that is too large fails, and an error bar that is only ro
                       "the estimate exceeds the largest number, 1.8e308; scale the values down");
 }
 
-// These weights change by 1.1 if directions are rounded to six decimals.
-TEST_CASE("directions and weights that are printed are those that are read") {
-    const std::vector<std::string> words{"--covariance=squared-exponential", "--noise=1e-3"};
-    RuleReport report;
-    parse(words, report.options());
-    const std::string text = report.report();
-    CHECK(rule_report(text, words) == text);
-}
-
 TEST_CASE("directions are drawn from stream 0 if no file is given") {
     RuleReport report;
     parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
     Random random(5, 0);
     const double x = place_directions(Placement::fibonacci, 3, random).directions[1].x;
     CHECK(rows_of(report.report()).at(1).at(0) == formatted("%.17g", x));
-}
-
-TEST_CASE("a file of directions that is not there is named") {
-    RuleReport report;
-    report.directions = "no such file";
-    CHECK(message_of([&] { report.report(); }) == "no such file: there is no such file");
 }
