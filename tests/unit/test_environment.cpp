@@ -12,16 +12,6 @@ TEST_CASE("a map holds what it is made of, and texel 0 is black") {
     for (int i = 0; i <= 6; ++i) CHECK(EnvironmentMap(3, 2).color(i) == Vec3{0, 0, 0});
 }
 
-// The angles err by at most 2.3e-8.
-TEST_CASE("column and row are u (W - 1) and v (H - 1) by atan2 and acos, within 4e-6") {
-    const TexelGrid grid{1024, 512};
-    for (const Vec3& d : all_around(20000)) {
-        CAPTURE(d);
-        CHECK(std::fabs(grid.column(d.x, d.z) - 1023 * (1 + std::atan2(d.x, -d.z) / pi) / 2) < 4e-6);
-        CHECK(std::fabs(grid.row(d.y) - 511 * std::acos(d.y) / pi) < 4e-6);
-    }
-}
-
 TEST_CASE("a direction meets the texel at the floor of column and row") {
     const EnvironmentMap map = coloured_map(512, 256);
     CHECK(map.index({0, 0, -1}) == map.index(255, 127));  // u = 1/2: 255.5, v = 1/2: 127.5

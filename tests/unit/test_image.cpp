@@ -3,13 +3,6 @@
 
 static std::string text_of(const std::vector<unsigned char>& bytes) { return {bytes.begin(), bytes.end()}; }
 
-TEST_CASE("an image is black at first, and its pixels follow each other row after row") {
-    Image image(3, 2);
-    CHECK(image.pixels == std::vector<Color>(6));
-    image(2, 1) = {1, 2, 3};
-    CHECK(image.pixels[5] == Vec3{1, 2, 3});
-}
-
 TEST_CASE("PFM: header, rows from the bottom, little-endian floats as they are") {
     Image image(1, 2);
     image.pixels = {{1, 0, -2}, {0.5, 1e30, 0}};
