@@ -82,11 +82,19 @@ struct TemporaryFile {
     ~TemporaryFile() { std::filesystem::remove(name); }
 };
 
-// What cannot be read beyond these bytes.
-struct FailingBuffer : std::stringbuf {
-    using std::stringbuf::stringbuf;
-    int_type underflow() override { throw std::ios::failure("an error of reading"); }
-};
+// Whether an error of reading is what read(in) ends with, wherever in these bytes, or behind them, it is.
+template <class Read>
+void check_failing_reads(const std::string& bytes, Read read) {
+    struct FailingBuffer : std::stringbuf {
+        using std::stringbuf::stringbuf;
+        int_type underflow() override { throw std::ios::failure("an error of reading"); }
+    };
+    for (std::size_t n = 0; n <= bytes.size(); ++n) {
+        FailingBuffer buffer(bytes.substr(0, n));
+        std::istream in(&buffer);
+        CHECK_MESSAGE(message_of([&] { read(in); }) == Containing{"an error of reading"}, n);
+    }
+}
 
 // f(argc, argv) of a program with these arguments.
 template <class Function>

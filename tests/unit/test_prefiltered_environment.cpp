@@ -3,12 +3,17 @@
 
 using namespace bmc::beyond;
 
-// Of the light 1 + w.d a cap of height b around n has the mean 1 + (1 - b / 2) n.d.
-TEST_CASE("the tables hold means over caps, within 2 % of the largest light") {
-    const Vec3 d{0.48, -0.64, 0.6};
-    const EnvironmentMap map = map_of(513, 257, [&](int x, int y) {
-        return Color{1 + dot(towards((x + 0.5) / 512, (y + 0.5) / 256), d), 1, 0};
+// The light 1 + w.slope, and beside it the light 1.
+static const Vec3 slope{0.48, -0.64, 0.6};
+static EnvironmentMap linear_map(int columns, int rows) {
+    return map_of(columns + 1, rows + 1, [=](int x, int y) {
+        return Color{1 + dot(towards((x + 0.5) / columns, (y + 0.5) / rows), slope), 1, 0};
     });
+}
+
+// A cap of height b around n has the mean 1 + (1 - b / 2) n.slope.
+TEST_CASE("the tables hold means over caps, within 2 % of the largest light") {
+    const EnvironmentMap map = linear_map(512, 256);
     const PrefilteredEnvironment light(map, 2);
     for (const double solid_angle : {pi, pi / 4, pi / 16, pi / 64}) {
         const EnvironmentMap& means = light.means(solid_angle);
@@ -17,7 +22,7 @@ TEST_CASE("the tables hold means over caps, within 2 % of the largest light") {
         for (int i = 0; i < columns * rows; ++i) {
             const Vec3 n = towards((i % columns + 0.5) / columns, (i / columns + 0.5) / rows);
             CAPTURE(n);
-            CHECK(std::fabs(means.radiance(n).x - (1 + (1 - solid_angle / (4 * pi)) * dot(n, d))) < 0.04);
+            CHECK(std::fabs(means.radiance(n).x - (1 + (1 - solid_angle / (4 * pi)) * dot(n, slope))) < 0.04);
             CHECK(relative(means.radiance(n).y, 1) < 2e-6);  // the millionth that no cap is without, and floats
         }
     }
@@ -64,20 +69,16 @@ TEST_CASE("the sun has no part in the sky's means and irradiance") {
     CHECK(dim.sun().empty());
 }
 
-// The integral of (1 + w.d) cos(theta) is pi + (2 pi / 3) n.d.
+// The integral of (1 + w.slope) cos(theta) is pi + (2 pi / 3) n.slope.
 TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any size of map") {
-    const Vec3 d{0.48, -0.64, 0.6};
-    const EnvironmentMap linear_map = map_of(301, 151, [&](int x, int y) {
-        return Color{1 + dot(towards((x + 0.5) / 300, (y + 0.5) / 150), d), 1, 0};
-    });
-    const EnvironmentMap texel_map = even_map(1, 1, 1), column_map = even_map(1, 7, 1);
-    const PrefilteredEnvironment linear(linear_map, 2), one_texel(texel_map), one_column(column_map);
+    const EnvironmentMap many = linear_map(300, 150), texel = even_map(1, 1, 1), column = even_map(1, 7, 1);
+    const PrefilteredEnvironment linear(many, 2), one_texel(texel), one_column(column);
     std::vector<Vec3> normals = all_around(100);
     normals.insert(normals.end(),
                    {{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, normalize({1e-6, 0, 1}), normalize({-1e-6, 0, 1})});
     for (const Vec3& n : normals) {
         CAPTURE(n);
-        CHECK(std::fabs(linear.sky_irradiance(n).x - (pi + 2 * pi / 3 * dot(n, d))) < 1e-3 * 5 * pi / 3);
+        CHECK(std::fabs(linear.sky_irradiance(n).x - (pi + 2 * pi / 3 * dot(n, slope))) < 1e-3 * 5 * pi / 3);
         for (const double even :
              {linear.sky_irradiance(n).y, one_texel.sky_irradiance(n).z, one_column.sky_irradiance(n).x})
             CHECK(relative(even, pi) < 1e-3);

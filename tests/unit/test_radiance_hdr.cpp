@@ -119,10 +119,5 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
 }
 
 TEST_CASE("an error of reading is not the end of a map, wherever it is") {
-    const std::string whole = hdr("-Y 1 +X 8", coded);
-    for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
-        FailingBuffer buffer(whole.substr(0, bytes));
-        std::istream in(&buffer);
-        CHECK_MESSAGE(message_of([&] { read_radiance_hdr(in, notes); }) == Containing{"an error of reading"}, bytes);
-    }
+    check_failing_reads(hdr("-Y 1 +X 8", coded), [](std::istream& in) { read_radiance_hdr(in, notes); });
 }

@@ -81,12 +81,7 @@ TEST_CASE("the number of directions is 1 to 4096, and that of lines and characte
 }
 
 TEST_CASE("an error of reading is not the end of the directions, wherever it is") {
-    const std::string whole = "# x y z\n0 1 0 5\n0.6 0.8 0 7\n";
-    for (std::size_t bytes = 0; bytes <= whole.size(); ++bytes) {
-        FailingBuffer buffer(whole.substr(0, bytes));
-        std::istream in(&buffer);
-        CHECK_MESSAGE(message_of([&] { read_samples(in); }) == Containing{"an error of reading"}, bytes);
-    }
+    check_failing_reads("# x y z\n0 1 0 5\n0.6 0.8 0 7\n", read_samples);
 }
 
 // Of one direction w = z / (k(0) + noise^2), V = zz - z w.
