@@ -4,39 +4,28 @@
 // in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be read.
 #include "compare.h"
 
+#include "command_line/command_line.h"
+#include "numerics/input.h"
+
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include <iterator>
 
-namespace {
-
-std::string read_file(const char* name) {
-    std::ifstream in(name, std::ios::binary);
-    std::ostringstream content;
-    if (in.peek() != EOF) content << in.rdbuf();
-    if (!in.is_open() || in.bad() || content.fail()) throw std::runtime_error(std::string("cannot read ") + name);
-    return content.str();
+static std::string content_of(const char* name) {
+    return bmc::read_file(name, [](std::istream& in) { return std::string(std::istreambuf_iterator<char>(in), {}); });
 }
 
-double tolerance_of(const std::string& option) {
+static double tolerance_of(const std::string& option) {
     if (option == "--tolerant") return 1e-3;
-    char* end = nullptr;
-    const double tolerance = option.compare(0, 11, "--tolerant=") == 0 ? std::strtod(&option[11], &end) : -1;
-    if (!(tolerance >= 0) || end == &option[11] || *end != '\0')
-        throw std::runtime_error(option + " is no --tolerant=NUMBER");
-    return tolerance;
+    if (option.compare(0, 11, "--tolerant=") != 0) throw std::invalid_argument("there is no option " + option);
+    return bmc::parse_real(option.substr(11), 0, 1e9);
 }
-
-}  // namespace
 
 int main(int argc, char** argv) {
     try {
         const bool tolerant = argc > 1 && argv[1][0] == '-';
         if (argc != 3 + tolerant) throw std::runtime_error("usage: compare [--tolerant[=T]] REFERENCE ACTUAL");
         const double tolerance = tolerant ? tolerance_of(argv[1]) : 0;
-        const std::string reference = read_file(argv[1 + tolerant]), actual = read_file(argv[2 + tolerant]);
+        const std::string reference = content_of(argv[1 + tolerant]), actual = content_of(argv[2 + tolerant]);
         if (reference == actual) return 0;
         const auto difference = reference[0] == 'P' ? picture_difference : text_difference;
         const std::string words = difference(reference, actual, tolerance);
