@@ -26,8 +26,7 @@ std::vector<Vec3> cap_directions(double solid_angle) {
     return directions;
 }
 
-// The cells that light is gathered in, and the cells of the table, which holds E at their corners.
-constexpr int light_columns = 96, light_rows = 48, columns = 128, rows = 64;
+constexpr int light_columns = 96, light_rows = 48;  // of the cells that light is gathered in
 
 // The part, of `parts` equal ones, that texel i of n lies in.
 std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
@@ -52,8 +51,10 @@ std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     return fluxes;
 }
 
-// E(n) is the sum of max(n . F, 0) over the fluxes F. Only cells cut by n's horizon are underestimated.
+// E(n) is the sum of max(n . F, 0) over the fluxes F, at the corners of the table's cells. Only cells of light that are
+// cut by n's horizon are underestimated.
 EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t threads) {
+    constexpr int columns = 128, rows = 64;
     EnvironmentMap table(columns + 1, rows + 1);
     const std::vector<Vec3> flux = fluxes(environment);
     for_each_row(rows + 1, threads, [&](int row) {
@@ -85,28 +86,13 @@ const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
     return map;
 }
 
-}  // namespace
-
-PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
-    : sun_(not_too_bright(map)), sky_(sun_.sky()), irradiance_(irradiance_table(*sky_, threads)) {
-    const TexelsOnSphere texels(*sky_, 256, 128);
-    texel_ = texels.solid_angle(texels.rows() / 2);
-    double smallest = pi;
-    while (std::sqrt(smallest / pi) >= 10 * pi / texels.rows()) smallest /= 4;
-    for (double solid_angle = smallest; solid_angle <= pi; solid_angle *= 4)
-        tables_.push_back({solid_angle, average(tables_.empty() ? *sky_ : tables_.back().means, solid_angle, threads)});
-}
-
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
 // lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
-EnvironmentMap PrefilteredEnvironment::average(const EnvironmentMap& finer, double solid_angle,
-                                               std::size_t threads) const {
+EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Color everywhere, std::size_t threads) {
     const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
     const std::vector<Vec3> local = cap_directions(solid_angle);
-    const Color light = sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0});
-    const Color everywhere = &finer == sky_.get() ? 1e-6 / (2 * pi) * light : Color{};
     EnvironmentMap means(columns + 1, rows + 1);
-    const auto row = [&](int y) {
+    for_each_row(rows + 1, threads, [&](int y) {
         const portable::SineCosine polar = portable::sincos_turns(0.5 * (std::min(y, rows - 1) + 0.5) / rows);
         for (int x = 0; x <= columns; ++x) {
             const auto azimuth = portable::sincos_turns((std::min(x, columns - 1) + 0.5) / columns - 0.5);
@@ -117,18 +103,29 @@ EnvironmentMap PrefilteredEnvironment::average(const EnvironmentMap& finer, doub
             for (const int texel : texels) sum += finer.color(texel);
             means.set(x, y, 1.0 / lookups * sum + everywhere);
         }
-    };
-    for_each_row(rows + 1, threads, row);
+    });
     return means;
 }
 
-const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
-    double smaller = texel_;
-    const EnvironmentMap* nearest = sky_.get();
-    for (const Table& table : tables_) {
-        if (solid_angle * solid_angle >= smaller * table.solid_angle) nearest = &table.means;
-        smaller = table.solid_angle;
+}  // namespace
+
+PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
+    : sun_(not_too_bright(map)), tables_{{0, sun_.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
+    const TexelsOnSphere texels(*tables_[0].means, 256, 128);
+    tables_[0].solid_angle = texels.solid_angle(texels.rows() / 2);
+    Color everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
+    double solid_angle = pi;
+    while (std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows()) solid_angle /= 4;
+    for (; solid_angle <= pi; solid_angle *= 4, everywhere = {}) {  // larger caps have it from the smaller ones
+        EnvironmentMap means = average(*tables_.back().means, solid_angle, everywhere, threads);
+        tables_.push_back({solid_angle, std::make_shared<const EnvironmentMap>(std::move(means))});
     }
-    return *nearest;
+}
+
+const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
+    std::size_t i = 0;
+    while (i + 1 < tables_.size() && solid_angle * solid_angle >= tables_[i].solid_angle * tables_[i + 1].solid_angle)
+        ++i;
+    return *tables_[i].means;
 }
 }  // namespace bmc::beyond

@@ -29,17 +29,13 @@ public:
     }
 
 private:
-    EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, std::size_t threads) const;
-
     struct Table {
         double solid_angle;  // of the caps that it averages over
-        EnvironmentMap means;
+        std::shared_ptr<const EnvironmentMap> means;
     };
 
     const Sun sun_;
-    const std::shared_ptr<const EnvironmentMap> sky_;
+    std::vector<Table> tables_;  // the smallest caps first, which are the texels of the sky
     const EnvironmentMap irradiance_;
-    std::vector<Table> tables_;  // the smallest caps first
-    double texel_;               // the solid angle of a texel of the sky
 };
 }  // namespace bmc::beyond
