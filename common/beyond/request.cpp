@@ -42,10 +42,9 @@ Image Request::image(const EnvironmentMap& map) const {
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
     Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen);
     if (show == Show::picture) return image;
-    Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
+    const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);
-    if (format != Format::pfm) return grey_scale(std::move(errors), 2 * predicted);
-    return errors;
+    return format == Format::pfm ? errors : grey_scale(errors, 2 * predicted);
 }
 }  // namespace bmc::beyond

@@ -70,7 +70,9 @@ RatioEstimator sample_sun(const Scene& scene, const Sun& sun, const Hit& hit, st
         const double down = random.uniform();
         const Sun::Ray ray = sun.ray(u, down);
         const double cosine = dot(hit.normal, ray.direction);
-        if (cosine > 0) light.add(cosine * ray.colour, !is_shadowed(scene, hit, ray.direction));
+        if (cosine <= 0) continue;
+        light.all += cosine * ray.colour;
+        if (!is_shadowed(scene, hit, ray.direction)) light.visible += cosine * ray.colour;
     }
     return light;
 }

@@ -14,11 +14,6 @@ namespace bmc::beyond {
 struct RatioEstimator {
     Color all, visible;
 
-    void add(Color light, bool arrives) {
-        all += light;
-        if (arrives) visible += light;
-    }
-
     Color fraction() const;  // in [0, 1]; 1 for a colour that no ray carries
 };
 
