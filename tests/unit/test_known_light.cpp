@@ -10,10 +10,9 @@ TEST_CASE("the sun has half of its share of the samples, the sky the rest, each 
         CAPTURE(samples);
         const double half = 0.5 * sunny.averages->sun().share() * static_cast<double>(samples);
         const std::size_t rays = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(half)));
-        const RenderSettings settings = small_picture(Method::mc, samples);
-        CHECK(sun_samples(sunny, samples) == rays);
-        CHECK(rules_of(sunny, settings).settings().samples == std::max(samples, rays + 1) - rays);
-        CHECK(sun_samples(dim, samples) == 0);
-        CHECK(rules_of(dim, settings).settings().samples == samples);
+        CHECK(share_out(sunny, samples).sun == rays);
+        CHECK(share_out(sunny, samples).sky == std::max(samples, rays + 1) - rays);
+        CHECK(share_out(dim, samples).sun == 0);
+        CHECK(share_out(dim, samples).sky == samples);
     }
 }

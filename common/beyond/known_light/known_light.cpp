@@ -3,16 +3,11 @@
 #include <algorithm>
 
 namespace bmc::beyond {
-std::size_t sun_samples(const EnvironmentLight& light, std::size_t samples) {
-    if (!light.averages || light.averages->sun().empty()) return 0;
+SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
+    if (!light.averages || light.averages->sun().empty()) return {samples, 0};
     const double rays = 0.5 * light.averages->sun().share() * static_cast<double>(samples);
-    return std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
-}
-
-PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings) {
-    const std::size_t sun = sun_samples(light, settings.samples);
-    settings.samples = settings.samples > sun ? settings.samples - sun : 1;
-    return PixelRules(settings);
+    const std::size_t sun = std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
+    return {samples > sun ? samples - sun : 1, sun};
 }
 
 // The fraction of each colour of the sky's light that passes the other object.
@@ -32,17 +27,18 @@ static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const Quad
     return sky.fraction();
 }
 
-Shader shader_of(const EnvironmentLight& any_light, const RenderSettings& settings) {
-    const PixelRules rules = rules_of(any_light, settings);
+Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
+    const SampleCounts samples = share_out(any_light, settings.samples);
+    settings.samples = samples.sky;
+    const PixelRules rules(settings);
     if (!any_light.averages) return environment_shader(any_light.environment, rules);
     const PrefilteredEnvironment& light = *any_light.averages;
-    const std::size_t sun_rays = sun_samples(any_light, settings.samples);
-    const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(rules.settings().samples));
+    const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(samples.sky));
     return [=, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings(), x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         const Color sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
-        const Color sun = sample_sun(sphere_scene, light.sun(), hit, sun_rays, random).fraction();
+        const Color sun = sample_sun(sphere_scene, light.sun(), hit, samples.sun, random).fraction();
         return 1 / portable::pi *
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun().irradiance(hit.normal) * sun));
     };

@@ -25,15 +25,15 @@ struct EnvironmentLight {
         : environment(map), averages(known ? std::make_shared<const PrefilteredEnvironment>(map, threads) : nullptr) {}
 };
 
-// The number of a pixel's samples that go to the sun: at least one, or none where no sun is known. The rules for the
-// sky have the others, at least one.
-std::size_t sun_samples(const EnvironmentLight& light, std::size_t samples);
+// How a pixel's samples are shared out: at least one to each, but none to the sun where none is known.
+struct SampleCounts {
+    std::size_t sky, sun;
+};
+SampleCounts share_out(const EnvironmentLight& light, std::size_t samples);
 
-// The rules of a picture, and with them the colour of each of its points. The light must outlive the latter. Both throw
-// what the Gaussian processes throw.
-PixelRules rules_of(const EnvironmentLight& light, RenderSettings settings);
-Shader shader_of(const EnvironmentLight& light, const RenderSettings& settings);
+// The colour of each point of a picture. The light must outlive it. Throws what the Gaussian processes throw.
+Shader shader_of(const EnvironmentLight& light, RenderSettings settings);
 
-// The image of linear radiance. Throws as rules_of does.
+// The image of linear radiance. Throws as shader_of does.
 Image picture(const EnvironmentLight& light, const RenderSettings& settings);
 }  // namespace bmc::beyond
