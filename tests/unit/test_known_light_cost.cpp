@@ -15,8 +15,7 @@ TEST_CASE("the dense truth under a sun agrees with a picture by many directions"
     RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = sunny_map();
-    const Image many = render(map, settings, environment_shader(map, PixelRules(settings)));
-    const ImageError error = image_error(many, truth_with_sun(map, settings, 3000));
+    const ImageError error = image_error(picture(map, settings), truth_with_sun(map, settings, 3000));
     CHECK(error.rmse < 0.01);
     CHECK(std::fabs(error.brightness) < 2e-3);
 }
