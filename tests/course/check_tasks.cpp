@@ -88,7 +88,8 @@ void matrix(const std::string& name, const Matrix& m, double tolerance, const Mi
         for (std::size_t j = 0; j < m.columns(); ++j) {
             sum += m(i, j) * m(i, j);
             if (m.rows() < 10 || i == 0 || i + 1 == m.rows() || i == j)
-                value(name + formatted("(%zu, %zu)", i, j), m(i, j), tolerance, scale, i == j ? Mistakes{} : mistakes);
+                value(name + formatted(name.back() == ',' ? " (%zu, %zu)" : "(%zu, %zu)", i, j), m(i, j), tolerance,
+                      scale, i == j ? Mistakes{} : mistakes);
         }
     value("the sum of the squares of the elements of " + name, sum, tolerance, scale * scale);
 }
