@@ -43,19 +43,19 @@ std::string Belief::report() const {
         return is_shadowed(sphere_scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
     };
     const Integrand incident{"", [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); }, 0};
-    const std::vector<double> values = evaluate(incident, process.directions(), settings.known);
+    const std::vector<double> values = evaluate(incident, process.directions, settings.known);
     const double error = process.standard_error(values);
     print_note(formatted("estimate %.4f, standard error %s, truth %.4f", process.integral(values),
                          std::isnan(error) ? "unknown" : formatted("%.4f", error).c_str(),
                          reference_integral(incident)));
 
     std::vector<Color> seen;
-    for (const Vec3& direction : process.directions()) seen.push_back(light(direction));
-    const std::vector<Color> coefficients = solved(process.cholesky(), seen);
+    for (const Vec3& direction : process.directions) seen.push_back(light(direction));
+    const std::vector<Color> coefficients = solved(process.cholesky, seen);
     const double amplitude = process.amplitude(values);
     const auto covariances = [&](Vec3 w) {
         std::vector<double> k;
-        for (const Vec3& direction : process.directions()) k.push_back(covariance->k(squared_distance(w, direction)));
+        for (const Vec3& direction : process.directions) k.push_back(covariance->k(squared_distance(w, direction)));
         return k;
     };
     const auto mean = [&](Vec3 w) {  // k^T Q^-1 Y
@@ -65,12 +65,12 @@ std::string Belief::report() const {
         return sum;
     };
     const auto deviation = [&](Vec3 w) {  // a sqrt(k(w, w) - k^T Q^-1 k); where L y = k, k^T Q^-1 k is |y|^2
-        const std::vector<double> y = process.cholesky().forward_substitution(covariances(w));
+        const std::vector<double> y = process.cholesky.forward_substitution(covariances(w));
         const double explained = std::inner_product(y.begin(), y.end(), y.begin(), 0.0);
         return amplitude * std::sqrt(std::fmax(covariance->k(0) - explained, 0));
     };
     const auto light_and_samples = [&](Vec3 w, double u, double v) {
-        for (const Vec3& direction : process.directions()) {
+        for (const Vec3& direction : process.directions) {
             const double s = std::sqrt(1 + direction.y);
             const double distance = length({v + direction.x / s, u + direction.z / s, 0});
             if (distance < 1.7 * dot_radius) return distance < dot_radius ? white : Color{};

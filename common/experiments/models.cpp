@@ -41,7 +41,7 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
         const GaussianProcess process(*covariance, model.noise, rule.directions);
         ModelResults of_set;
         for (const Integrand& integrand : integrands) {
-            const std::vector<double> values = evaluate(integrand, process.directions());
+            const std::vector<double> values = evaluate(integrand, process.directions);
             of_set.error.add(process.integral(values) - integrand.truth);
             of_set.predicted.add(process.standard_error(values));
             of_set.monte_carlo.add(std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0) -
@@ -81,7 +81,7 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
 double log_evidence(const GaussianProcess& process, const std::vector<double>& values) {
     double half_log_determinant = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
-        half_log_determinant += portable::log(process.cholesky().upper()(k, k));
+        half_log_determinant += portable::log(process.cholesky.upper()(k, k));
     return -static_cast<double>(values.size()) * portable::log(process.amplitude(values)) - half_log_determinant;
 }
 

@@ -22,13 +22,13 @@ static const char* const heading =
 static std::string weights_block(const GaussianProcess& process, Known known) {
     std::string text = heading;
     std::size_t negative = 0;
-    for (std::size_t i = 0; i < process.weights().size(); ++i) {
-        const Vec3 w = process.directions()[i];
-        const double weight = process.weights()[i];
-        text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", w.x, w.y, w.z, process.z()[i], weight);
+    for (std::size_t i = 0; i < process.weights.size(); ++i) {
+        const Vec3 w = process.directions[i];
+        const double weight = process.weights[i];
+        text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", w.x, w.y, w.z, process.z[i], weight);
         negative += weight < 0;
     }
-    const QuadratureRule rule{process.directions(), process.weights(), known};
+    const QuadratureRule rule{process.directions, process.weights, known};
     const double ratio = relative_weight_sum(rule), integral = known_integral(known);
     return text + formatted(
                       R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
@@ -127,11 +127,11 @@ void RuleReport::add_options(Options& options) {
 // Of five columns the fourth is z_j: with another number they are not what this report prints, and would be lost.
 static void require_z(const GaussianProcess& process, const Samples& given) {
     for (std::size_t j = 0; given.columns == 5 && j < given.fourth.size(); ++j)
-        if (!(std::fabs(given.fourth[j] - process.z()[j]) <= 1e-6 * process.z()[j]))
+        if (!(std::fabs(given.fourth[j] - process.z[j]) <= 1e-6 * process.z[j]))
             throw error_in(given.lines[j],
                            formatted("five columns should be x y z z_j weight, but %.9g is not z_j, which is %.9g with "
                                      "these options; for a value write x y z value",
-                                     given.fourth[j], process.z()[j]));
+                                     given.fourth[j], process.z[j]));
 }
 
 std::string RuleReport::report() const {
@@ -149,6 +149,6 @@ std::string RuleReport::report() const {
     if (given.columns == 4) text += estimate_line(process, settings.known, given.fourth);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
-           matrix_block("Q^-1", process.inverse_covariance());
+           matrix_block("Q^-1", process.cholesky.inverse());
 }
 }  // namespace bmc

@@ -67,16 +67,16 @@ static Cholesky factored(Matrix q) {
 }
 
 // In the order of the members: each uses those before it.
-GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions)
-    : directions_(checked(std::move(directions), noise)),
-      z_(z_of(covariance, directions_)),
-      cholesky_(factored(covariance_matrix(covariance, noise, directions_))),
-      weights_(bayesian_weights(cholesky_, z_)),
-      zz_(covariance.zz()),
-      variance_(posterior_variance(zz_, z_, weights_)) {}
+GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions)
+    : directions(checked(std::move(unit_directions), noise)),
+      z(z_of(covariance, directions)),
+      cholesky(factored(covariance_matrix(covariance, noise, directions))),
+      weights(bayesian_weights(cholesky, z)),
+      zz(covariance.zz()),
+      variance(posterior_variance(zz, z, weights)) {}
 
 // BEGIN SOLUTION integral
-double GaussianProcess::integral(const std::vector<double>& values) const { return dot(weights_, values); }
+double GaussianProcess::integral(const std::vector<double>& values) const { return dot(weights, values); }
 // END SOLUTION
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
@@ -86,7 +86,7 @@ double GaussianProcess::amplitude(const std::vector<double>& values) const {
     std::frexp(largest, &exponent);
     std::vector<double> scaled = values;  // by a power of 2, so that squares are neither infinite nor 0
     for (double& value : scaled) value = std::ldexp(value, -exponent);
-    const std::vector<double> y = cholesky_.forward_substitution(scaled);  // |y|^2 = Y^T Q^-1 Y
+    const std::vector<double> y = cholesky.forward_substitution(scaled);  // |y|^2 = Y^T Q^-1 Y
     return std::ldexp(std::sqrt(dot(y, y) / static_cast<double>(values.size())), exponent);
 }
 }  // namespace bmc

@@ -11,33 +11,22 @@
 #include "quadrature/covariance.h"
 
 namespace bmc {
-class GaussianProcess {
-public:
+struct GaussianProcess {
+    const std::vector<Vec3> directions;
+    const std::vector<double> z;        // z_j, the integral over H of k(omega_j, omega) p(omega) d omega
+    const Cholesky cholesky;            // the factor of Q
+    const std::vector<double> weights;  // w = Q^-1 z
+    const double zz;                    // of the covariance
+    const double variance;              // V = zz - z^T Q^-1 z >= 0, of the integral for an f of amplitude 1
+
     // n >= 1 unit directions in H. noise >= 0: the standard deviation of the samples' error, in units of the amplitude
     // of f (below). Its square is added to the diagonal of Q, so that two equal directions do not make Q singular.
     // Throws std::invalid_argument for a noise below 0, for no direction, and for a direction below the horizon;
     // NotPositiveDefinite if Q cannot be factored.
-    GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> directions);
+    GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions);
 
-    const std::vector<Vec3>& directions() const { return directions_; }
-
-    // z_j, the integral over H of k(omega_j, omega) p(omega) d omega.
-    const std::vector<double>& z() const { return z_; }
-
-    // w = Q^-1 z.
-    const std::vector<double>& weights() const { return weights_; }
-
-    // The factor of Q.
-    const Cholesky& cholesky() const { return cholesky_; }
-
-    // Q^-1, n x n. An estimate does not need it.
-    Matrix inverse_covariance() const { return cholesky_.inverse(); }
-
-    // The estimate of the integral of f p over H. Here and below values[i] = f(directions()[i]), n of them.
+    // The estimate of the integral of f p over H. Here and below values[i] = f(directions[i]), n of them.
     double integral(const std::vector<double>& values) const;
-
-    // V = zz - z^T Q^-1 z >= 0, the posterior variance of the integral for an f of amplitude 1.
-    double variance() const { return variance_; }
 
     // The amplitude a of f, the typical size of its values. With a^2 k in place of k and a times the noise, the weights
     // stay, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n.
@@ -46,15 +35,8 @@ public:
     // The standard error that the process predicts for integral(values): a sqrt(V). nan if V is below 1e-12 zz: then
     // it is the rounding of a difference, and says nothing.
     double standard_error(const std::vector<double>& values) const {
-        return variance_ < 1e-12 * zz_ ? NAN : amplitude(values) * std::sqrt(variance_);
+        return variance < 1e-12 * zz ? NAN : amplitude(values) * std::sqrt(variance);
     }
-
-private:
-    std::vector<Vec3> directions_;
-    std::vector<double> z_;
-    Cholesky cholesky_;
-    std::vector<double> weights_;
-    double zz_, variance_;
 };
 
 // z of each direction. Throws std::invalid_argument for one below the horizon.

@@ -30,7 +30,7 @@ QuadratureRule monte_carlo_rule(DirectionSet set) {
 
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions) {
     const GaussianProcess process(covariance, noise, std::move(directions));
-    return {process.directions(), process.weights(), covariance.known()};
+    return {process.directions, process.weights, covariance.known()};
 }
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {

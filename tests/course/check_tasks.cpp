@@ -129,13 +129,13 @@ double rounding(const Covariance& k) { return std::max(1e-11, 1 - k.k(1e-15) / k
 // that is at most about 1 / noise^2.
 double tolerance_of(const Covariance& k, double noise) { return 1e-9 + rounding(k) * k.k(0) / (noise * noise); }
 double tolerance_of(const Covariance& k, const GaussianProcess& process) {
-    const std::size_t n = process.directions().size();
+    const std::size_t n = process.directions.size();
     double largest = 0;
     for (std::size_t j = 0; j < n; ++j) {
         Numbers column(n);
         column[j] = 1;
         double sum = 0;
-        for (const double each : process.cholesky().solve(column)) sum += std::fabs(each);
+        for (const double each : process.cholesky.solve(column)) sum += std::fabs(each);
         largest = std::max(largest, sum);
     }
     return 1e-9 + rounding(k) * k.k(0) * largest;
@@ -267,13 +267,13 @@ void z_of_values() {
 void bayesian_weights_values() {
     for_each_model([](const Model& model, const Directions& directions) {
         const GaussianProcess process(model.covariance, model.noise, directions);
-        const Numbers &z = process.z(), half = process.cholesky().forward_substitution(z);
-        std::vector<Mistakes> mistakes(process.weights().size());
+        const Numbers &z = process.z, half = process.cholesky.forward_substitution(z);
+        std::vector<Mistakes> mistakes(process.weights.size());
         for (std::size_t i = 0; i < mistakes.size() && i < z.size() && z.size() > 1; ++i)
             mistakes[i] = {{half[i], "that is half a solution: of L y = z and U w = y only y"},
                            {z[i], "that is z: Q^-1 is missing"}};
-        count("weights", process.weights().size());
-        numbers("weight", process.weights(), tolerance_of(model.covariance, process), mistakes);
+        count("weights", process.weights.size());
+        numbers("weight", process.weights, tolerance_of(model.covariance, process), mistakes);
     });
 }
 
@@ -285,15 +285,15 @@ struct TooSmall : Sobolev {
 void posterior_variance_values() {
     for_each_model([](const Model& model, const Directions& directions) {
         const GaussianProcess process(model.covariance, model.noise, directions);
-        value("the variance", process.variance(), tolerance_of(model.covariance, process), 0.1,
-              {{2 * model.covariance.zz() - process.variance(), "z^T w is added, and it should be subtracted"}});
+        value("the variance", process.variance, tolerance_of(model.covariance, process), 0.1,
+              {{2 * model.covariance.zz() - process.variance, "z^T w is added, and it should be subtracted"}});
     });
     const TooSmall covariance;
     const GaussianProcess process(covariance, 0.1, directions_of(41));
     double difference = covariance.zz();
-    for (std::size_t i = 0; i < process.z().size(); ++i) difference -= process.weights()[i] * process.z()[i];
+    for (std::size_t i = 0; i < process.z.size(); ++i) difference -= process.weights[i] * process.z[i];
     in = "a zz that is too small, as by rounding: ";
-    value("the variance", process.variance(), 0, 0,
+    value("the variance", process.variance, 0, 0,
           {{difference, "a negative variance should be 0"},
            {-difference, "where the difference is negative, 0 is right"}});
 }
@@ -304,7 +304,7 @@ void integral_values() {
         Random random(seed, 7);
         Numbers y;
         double sum = 0, by_z = 0;
-        for (const double z : process.z()) {
+        for (const double z : process.z) {
             y.push_back(3 * random.uniform() - 1);
             sum += y.back(), by_z += z * y.back();
         }
