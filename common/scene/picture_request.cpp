@@ -123,10 +123,10 @@ Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings
 }
 
 void warn_of_weights(const PixelRules& rules) {
-    SharedRules examined = rules.shared();
-    const std::size_t fresh = std::clamp<std::size_t>(8000 / rules.settings().samples, 2, 20);  // so that none wait
-    for (int x = 0; x < static_cast<int>(fresh) && rules.shared().empty(); ++x) {
-        Random random = pixel_stream(rules.settings(), x, 0);
+    SharedRules examined = rules.shared;
+    const std::size_t fresh = std::clamp<std::size_t>(8000 / rules.settings.samples, 2, 20);  // so that none wait
+    for (int x = 0; x < static_cast<int>(fresh) && rules.shared.empty(); ++x) {
+        Random random = pixel_stream(rules.settings, x, 0);
         examined.push_back(rules.fresh_rule(random));
     }
     RootMeanSquare gain;
@@ -136,7 +136,7 @@ void warn_of_weights(const PixelRules& rules) {
         brightness.add(white_brightness(*rule));
     }
     const double excess = brightness.mean - 1;
-    const double of_monte_carlo = 1 / std::sqrt(3 * static_cast<double>(rules.settings().samples));
+    const double of_monte_carlo = 1 / std::sqrt(3 * static_cast<double>(rules.settings.samples));
     std::string harm;
     if (gain.value() > 2)
         harm = "the weights amplify errors of samples " + two_digits(gain.value()) + " times as much as Monte Carlo's";

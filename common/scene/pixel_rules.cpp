@@ -24,18 +24,18 @@ static std::size_t shared_count(const RenderSettings& settings) {
     throw std::logic_error("a method without rules");
 }
 
-PixelRules::PixelRules(const RenderSettings& settings) : settings_(settings) {
-    if (settings.method != Method::mc) covariance_ = settings.make_covariance();
-    shared_ = shared_rules();
-}
+PixelRules::PixelRules(const RenderSettings& of_picture)
+    : settings(of_picture),
+      covariance(settings.method == Method::mc ? nullptr : settings.make_covariance()),
+      shared(shared_rules()) {}
 
-// The shared_count(settings_) rules, made once: rule i by fresh_rule and rule_stream(settings_, i).
+// The shared_count(settings) rules, made once: rule i by fresh_rule and rule_stream(settings, i).
 // BEGIN SOLUTION shared_rules
 SharedRules PixelRules::shared_rules() const {
     SharedRules rules;
-    Progress progress(static_cast<double>(shared_count(settings_)));
-    for (std::size_t i = 0; i < shared_count(settings_); ++i) {
-        Random random = rule_stream(settings_, i);
+    Progress progress(static_cast<double>(shared_count(settings)));
+    for (std::size_t i = 0; i < shared_count(settings); ++i) {
+        Random random = rule_stream(settings, i);
         rules.push_back(fresh_rule(random));
         progress.done();
     }
@@ -44,18 +44,18 @@ SharedRules PixelRules::shared_rules() const {
 // END SOLUTION
 
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
-    DirectionSet set = place_directions(settings_.placement, settings_.samples, random);
+    DirectionSet set = place_directions(settings.placement, settings.samples, random);
     return std::make_shared<QuadratureRule>(cosine_rule(
-        settings_.method == Method::mc ? monte_carlo_rule(std::move(set))
-                                       : bayesian_rule(*covariance_, settings_.noise, std::move(set.directions))));
+        settings.method == Method::mc ? monte_carlo_rule(std::move(set))
+                                      : bayesian_rule(*covariance, settings.noise, std::move(set.directions))));
 }
 
 OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
     const Frame frame(normal);
-    switch (settings_.method) {
+    switch (settings.method) {
         case Method::mc: {
-            if (shared_.empty()) return {frame, fresh_rule(random)};
-            return {frame.rotated(random.uniform()), shared_[0]};
+            if (shared.empty()) return {frame, fresh_rule(random)};
+            return {frame.rotated(random.uniform()), shared[0]};
         }
         case Method::direct: {
             // BEGIN SOLUTION rule_for
@@ -64,19 +64,19 @@ OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
         }
         case Method::single: {
             // BEGIN SOLUTION rule_for
-            return {frame, shared_[0]};
+            return {frame, shared[0]};
             // END SOLUTION
         }
         case Method::rotated: {
             // BEGIN SOLUTION rule_for
-            return {frame.rotated(random.uniform()), shared_[0]};
+            return {frame.rotated(random.uniform()), shared[0]};
             // END SOLUTION
         }
         case Method::pool: {
             // BEGIN SOLUTION rule_for
             const double u = random.uniform();  // chooses the rule; a second number rotates it
-            const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared_.size()));
-            return {frame.rotated(random.uniform()), shared_[chosen]};
+            const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared.size()));
+            return {frame.rotated(random.uniform()), shared[chosen]};
             // END SOLUTION
         }
     }

@@ -33,16 +33,16 @@ struct OrientedRule {
 
 using SharedRules = std::vector<std::shared_ptr<const QuadratureRule>>;
 
-class PixelRules {
-public:
-    // Throws what the Gaussian processes throw.
-    explicit PixelRules(const RenderSettings& settings);
-
-    const RenderSettings& settings() const { return settings_; }
+struct PixelRules {
+    const RenderSettings settings;
+    const std::shared_ptr<const Covariance> covariance;  // null for Method::mc
 
     // The rules that pixels share. The weights of these and of those below include cos(theta): they integrate
     // L v cos(theta) from samples of L v.
-    const SharedRules& shared() const { return shared_; }
+    const SharedRules shared;
+
+    // Throws what the Gaussian processes throw.
+    explicit PixelRules(const RenderSettings& of_picture);
 
     // A rule on fresh directions, of Monte Carlo or of a Gaussian process.
     std::shared_ptr<const QuadratureRule> fresh_rule(Random& random) const;
@@ -52,9 +52,5 @@ public:
 
 private:
     SharedRules shared_rules() const;
-
-    RenderSettings settings_;
-    std::shared_ptr<const Covariance> covariance_;  // null for Method::mc
-    SharedRules shared_;
 };
 }  // namespace bmc

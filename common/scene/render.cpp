@@ -7,7 +7,7 @@
 namespace bmc {
 Shader environment_shader(const EnvironmentMap& environment, const PixelRules& rules) {
     return [&environment, rules](const Hit& hit, int x, int y) {
-        Random random = pixel_stream(rules.settings(), x, y);
+        Random random = pixel_stream(rules.settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         return reflected_radiance(sphere_scene, environment, hit, *oriented.rule, oriented.frame);
     };

@@ -499,10 +499,10 @@ void shared_rules_values() {
                 const std::string of = formatted("method %s, placement %s, n = %zu: ", method_names[method],
                                                  placement_names[placement], n);
                 in = of;
-                count("rules", rules.shared().size());
-                for (std::size_t i = 0; i < rules.shared().size(); ++i) {
-                    in = of + formatted("rule %zu, from rule_stream(settings_, %zu): ", i, i);
-                    rule_values(*rules.shared()[i], upright, 1e-5);
+                count("rules", rules.shared.size());
+                for (std::size_t i = 0; i < rules.shared.size(); ++i) {
+                    in = of + formatted("rule %zu, from rule_stream(settings, %zu): ", i, i);
+                    rule_values(*rules.shared[i], upright, 1e-5);
                 }
             }
 }
@@ -529,7 +529,7 @@ void rule_for_values() {
             const double first = copy.uniform();
             if (method != Method::direct)
                 value(formatted("with the first random number %.4g, the index of the rule", first),
-                      index_of(*came.rule, rules.shared()), 0, 0, {{-1, "that is none of the shared rules"}});
+                      index_of(*came.rule, rules.shared), 0, 0, {{-1, "that is none of the shared rules"}});
             rule_values(*came.rule, came.frame, 1e-5);
             if (n == 3) value("the random number that follows", random.uniform(), 1e-12);
         }

@@ -164,7 +164,7 @@ std::string differences(const std::string& file, const EnvironmentMap& light, Pi
     RenderSettings& settings = request.settings;
     settings.width = picture.width, settings.height = picture.height;
     const Image truth = true_picture(light, request);
-    const bool one_rule = PixelRules(settings).shared().size() == 1;
+    const bool one_rule = PixelRules(settings).shared.size() == 1;
     std::vector<std::vector<Number>> correct;
     for (settings.seed = first_seed; correct.size() < correct_pictures; ++settings.seed)
         correct.push_back(numbers_of(rendered(light, request), truth, one_rule));

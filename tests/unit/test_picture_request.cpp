@@ -59,7 +59,7 @@ TEST_CASE("weights that cancel, or that make a white world dark, give a warning"
     int close_to_gain = 0, close_to_dark = 0;
     for (settings.noise = 30; settings.noise > 1e-5; settings.noise *= 0.85) {
         const PixelRules rules(settings);
-        const QuadratureRule& rule = *rules.shared()[0];
+        const QuadratureRule& rule = *rules.shared[0];
         const double gain = noise_gain(rule), dark = 1 - white_brightness(rule), most = 2 / std::sqrt(3 * 85.0);
         const std::string warning = warning_of(settings);
         CAPTURE(settings.noise);

@@ -35,7 +35,7 @@ Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
     const PrefilteredEnvironment& light = *any_light.averages;
     const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(samples.sky));
     return [=, &light, &means](const Hit& hit, int x, int y) {
-        Random random = pixel_stream(rules.settings(), x, y);
+        Random random = pixel_stream(rules.settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         const Color sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
         const Color sun = sample_sun(sphere_scene, light.sun(), hit, samples.sun, random).fraction();
