@@ -14,9 +14,9 @@ struct LightFile : Experiment {
 
     std::string report() const override {
         const EnvironmentMap map = load_environment(environment);
-        Image image(map.width(), map.height());
-        for (int y = 0; y < map.height(); ++y)
-            for (int x = 0; x < map.width(); ++x) image(x, y) = map.color(map.index(x, y));
+        Image image(map.width, map.height);
+        for (int y = 0; y < map.height; ++y)
+            for (int x = 0; x < map.width; ++x) image(x, y) = map.color(map.index(x, y));
         return encode(image, Format::pfm);
     }
 };

@@ -3,25 +3,26 @@
 #include <algorithm>
 
 namespace bmc {
-EnvironmentMap::EnvironmentMap(int width, int height, std::vector<float> rgb)
-    : grid_{width, height}, rgb_(std::move(rgb)) {
+EnvironmentMap::EnvironmentMap(int columns, int rows, std::vector<float> rgb)
+    : TexelGrid{columns, rows}, rgb_(std::move(rgb)) {
     rgb_.insert(rgb_.begin(), 3, 0);  // texel 0
+    rgb_.resize(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
 Color EnvironmentMap::interpolated(double u, double v) const {
-    const int columns = std::max(width() - 1, 1), left = static_cast<int>(std::floor(u)) + columns;
+    const int columns = std::max(width - 1, 1), left = static_cast<int>(std::floor(u)) + columns;
     const int above = static_cast<int>(std::floor(v));
     const double s = u - std::floor(u), t = v - std::floor(v);
-    const auto row = [&](int y) {
-        const int clamped = std::clamp(y, 0, height() - 1);
+    const auto of_row = [&](int y) {
+        const int clamped = std::clamp(y, 0, height - 1);
         return (1 - s) * color(index(left % columns, clamped)) + s * color(index((left + 1) % columns, clamped));
     };
-    return (1 - t) * row(above) + t * row(above + 1);
+    return (1 - t) * of_row(above) + t * of_row(above + 1);
 }
 
 // The last column and the last row have no width. They count only in a map that has no other.
 Color EnvironmentMap::bilinear_radiance(Vec3 direction) const {
-    const double v = std::min(grid_.row(direction.y) - 0.5, std::max(height() - 2.0, 0.0));
-    return interpolated(grid_.column(direction.x, direction.z) - 0.5, v);
+    const double v = std::min(row(direction.y) - 0.5, std::max(height - 2.0, 0.0));
+    return interpolated(column(direction.x, direction.z) - 0.5, v);
 }
 }  // namespace bmc

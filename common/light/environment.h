@@ -11,7 +11,7 @@
 namespace bmc {
 // Where directions fall on a map of this many columns and rows.
 struct TexelGrid {
-    int width, height;
+    const int width, height;
 
     // u (W - 1) and v (H - 1), with their fractions.
     double column(double x, double z) const {
@@ -20,17 +20,14 @@ struct TexelGrid {
     double row(double y) const { return 1 / portable::pi * portable::arccosine(y) * (height - 1); }
 };
 
-class EnvironmentMap {
+class EnvironmentMap : public TexelGrid {
 public:
     static constexpr int max_texels = 1 << 26;
 
     // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top; finite and >= 0. There are
-    // 1 to max_texels of them: read_radiance_hdr throws for anything else.
-    EnvironmentMap(int width, int height, std::vector<float> rgb);
-
-    // A black map, to be filled with set: finite radiance >= 0.
-    EnvironmentMap(int width, int height)
-        : grid_{width, height}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+    // 1 to max_texels of them: read_radiance_hdr throws for anything else. A map without rgb is black, to be filled
+    // with set: finite radiance >= 0.
+    EnvironmentMap(int width, int height, std::vector<float> rgb = {});
     void set(int x, int y, Color radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
         rgb[0] = static_cast<float>(radiance.x);
@@ -38,13 +35,9 @@ public:
         rgb[2] = static_cast<float>(radiance.z);
     }
 
-    int width() const { return grid_.width; }
-    int height() const { return grid_.height; }
-    const TexelGrid& grid() const { return grid_; }
-
     // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the
     // shadow.
-    int index(int x, int y) const { return 1 + y * width() + x; }
+    int index(int x, int y) const { return 1 + y * width + x; }
     Color color(int i) const {
         const float* rgb = &rgb_[3 * static_cast<std::size_t>(i)];
         return {rgb[0], rgb[1], rgb[2]};
@@ -55,8 +48,7 @@ public:
     // conversion to int drops that error. azimuth and arccosine are polynomials; in a map 1024 wide their error is 4e-6
     // of a texel.
     int index(Vec3 direction) const {
-        return index(static_cast<int>(grid_.column(direction.x, direction.z)),
-                     static_cast<int>(grid_.row(direction.y)));
+        return index(static_cast<int>(column(direction.x, direction.z)), static_cast<int>(row(direction.y)));
     }
 
     // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
@@ -70,7 +62,6 @@ public:
     Color interpolated(double u, double v) const;
 
 private:
-    TexelGrid grid_;
     std::vector<float> rgb_;  // of texels 0, 1, ...
 };
 }  // namespace bmc

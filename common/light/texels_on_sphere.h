@@ -9,34 +9,30 @@ namespace bmc {
 // The texels that have a solid angle. Only u = 1 or v = 1 meets the last column or row (environment.h), so these have
 // no area and are left out; a map of one row or column keeps it. If there are too few texels, each is cut into equal
 // pieces.
-class TexelsOnSphere {
-public:
-    explicit TexelsOnSphere(const EnvironmentMap& map, int min_columns = 1, int min_rows = 1)
-        : map_(map),
-          across_(1 + (min_columns - 1) / std::max(1, map.width() - 1)),
-          down_(1 + (min_rows - 1) / std::max(1, map.height() - 1)),
-          columns_(across_ * std::max(1, map.width() - 1)),
-          rows_(down_ * std::max(1, map.height() - 1)) {}
+struct TexelsOnSphere {
+    const EnvironmentMap& map;
+    const int across, down;  // pieces of a texel
+    const int columns, rows;
 
-    int columns() const { return columns_; }
-    int rows() const { return rows_; }
+    explicit TexelsOnSphere(const EnvironmentMap& texels, int min_columns = 1, int min_rows = 1)
+        : map(texels),
+          across(1 + (min_columns - 1) / std::max(1, map.width - 1)),
+          down(1 + (min_rows - 1) / std::max(1, map.height - 1)),
+          columns(across * std::max(1, map.width - 1)),
+          rows(down * std::max(1, map.height - 1)) {}
 
-    Color operator()(int row, int column) const { return map_.color(map_.index(column / across_, row / down_)); }
+    Color operator()(int row, int column) const { return map.color(map.index(column / across, row / down)); }
 
     // The solid angle of one texel of the row.
     double solid_angle(int row) const {
-        return 2 * portable::pi / columns_ * (polar(row).cosine - polar(row + 1).cosine);
+        return 2 * portable::pi / columns * (polar(row).cosine - polar(row + 1).cosine);
     }
 
     // Sine and cosine of the polar angle at this height, counted in rows: row + 0.5 is the middle of a row.
-    portable::SineCosine polar(double height) const { return portable::sincos_turns(0.5 * height / rows_); }
+    portable::SineCosine polar(double height) const { return portable::sincos_turns(0.5 * height / rows); }
 
     // Sine and cosine of the azimuth at this place, counted in columns from +z over -x.
-    portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns_ - 0.5); }
-
-private:
-    const EnvironmentMap& map_;
-    int across_, down_, columns_, rows_;
+    portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns - 0.5); }
 };
 
 // R + G + B, where one number stands for a radiance.
@@ -47,9 +43,9 @@ template <class Function>
 double mean_over_directions(const EnvironmentMap& map, Function f) {
     const TexelsOnSphere texels(map);
     double sum = 0;
-    for (int row = 0; row < texels.rows(); ++row) {
+    for (int row = 0; row < texels.rows; ++row) {
         double of_row = 0;
-        for (int column = 0; column < texels.columns(); ++column) of_row += f(map.color(map.index(column, row)));
+        for (int column = 0; column < texels.columns; ++column) of_row += f(map.color(map.index(column, row)));
         sum += texels.solid_angle(row) * of_row;
     }
     return sum / (4 * portable::pi);

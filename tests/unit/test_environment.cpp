@@ -3,7 +3,7 @@
 
 TEST_CASE("a map holds what it is made of, and texel 0 is black") {
     EnvironmentMap map(2, 2, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
-    CHECK(Numbers{map.width() + 0.0, map.height() + 0.0} == Numbers{2, 2});
+    CHECK(Numbers{map.width + 0.0, map.height + 0.0} == Numbers{2, 2});
     CHECK(map.color(0) == Vec3{0, 0, 0});
     CHECK(map.color(map.index(1, 0)) == Vec3{4, 5, 6});
     map.set(0, 1, {0.5, 0.25, 0});
@@ -21,7 +21,7 @@ TEST_CASE("a direction meets the texel at the floor of column and row") {
     CHECK(map.index({0, 1, 0}) == map.index(255, 0));  // straight up and down it has the azimuth of -z
     CHECK(map.index({0, -1, 0}) == map.index(255, 255));
     for (const Vec3& d : all_around(1000)) {
-        const double column = map.grid().column(d.x, d.z), row = map.grid().row(d.y);
+        const double column = map.column(d.x, d.z), row = map.row(d.y);
         CHECK(map.index(d) == map.index(static_cast<int>(column), static_cast<int>(row)));
         CHECK(map.radiance(d) == map.color(map.index(d)));
     }

@@ -33,7 +33,7 @@ TEST_CASE("a better picture has at most half of the error of the best, under a s
         const RenderSettings settings = small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci);
         const Image truth = truth_with_sun(map, settings, 2000),
                     better = render(map, settings, better_shader({map, false, 1}, settings));
-        CAPTURE(map.width());
+        CAPTURE(map.width);
         CHECK(image_error(better, truth).rmse < 0.5 * image_error(picture(map, settings), truth).rmse);
     }
 }

@@ -18,7 +18,7 @@ TEST_CASE("the tables hold means over caps, within 2 % of the largest light") {
     for (const double solid_angle : {pi, pi / 4, pi / 16, pi / 64}) {
         const EnvironmentMap& means = light.means(solid_angle);
         CAPTURE(solid_angle);
-        const int columns = means.width() - 1, rows = means.height() - 1;
+        const int columns = means.width - 1, rows = means.height - 1;
         for (int i = 0; i < columns * rows; ++i) {
             const Vec3 n = towards((i % columns + 0.5) / columns, (i / columns + 0.5) / rows);
             CAPTURE(n);

@@ -17,7 +17,7 @@ TEST_CASE("reflected light is (albedo / pi) sum of weight V L, to the last bit")
         for (const std::size_t n : {1u, 2u, 7u, 64u, 301u}) {
             const QuadratureRule rule = n < 10 ? bayesian_rule(SobolevKnownCosine(), 0.1, some_directions(n))
                                                : cosine_rule(monte_carlo_rule({some_directions(n)}));
-            INFO("n, map.width(): ", n, ", ", map.width());
+            INFO("n, map.width: ", n, ", ", map.width);
             int partly[2] = {};
             for_each_hit(scene, {9, 9}, [&](int x, int y, const Hit& hit) {
                 const Frame frame = Frame(hit.normal).rotated(0.1 * x + 0.01 * y);

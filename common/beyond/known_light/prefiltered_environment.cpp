@@ -35,16 +35,16 @@ std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>
 std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
     std::vector<portable::SineCosine> azimuths;
-    for (int i = 0; i < texels.columns(); ++i) azimuths.push_back(texels.azimuth(i + 0.5));
+    for (int i = 0; i < texels.columns; ++i) azimuths.push_back(texels.azimuth(i + 0.5));
     std::vector<Vec3> fluxes(3 * light_columns * light_rows);
-    for (int row = 0; row < texels.rows(); ++row) {
+    for (int row = 0; row < texels.rows; ++row) {
         const portable::SineCosine polar = texels.polar(row + 0.5);
         const double solid_angle = texels.solid_angle(row);
-        for (int column = 0; column < texels.columns(); ++column) {
+        for (int column = 0; column < texels.columns; ++column) {
             const Color light = solid_angle * texels(row, column);
             const Vec3 direction = direction_of(polar, azimuths[static_cast<std::size_t>(column)]);
-            Vec3* flux = &fluxes[3 * (part_with(row, texels.rows(), light_rows) * light_columns +
-                                      part_with(column, texels.columns(), light_columns))];
+            Vec3* flux = &fluxes[3 * (part_with(row, texels.rows, light_rows) * light_columns +
+                                      part_with(column, texels.columns, light_columns))];
             for (const double colour : {light.x, light.y, light.z}) *flux++ += colour * direction;
         }
     }
@@ -80,7 +80,7 @@ EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t t
 
 // Beyond 1e36 integrals would exceed the largest float.
 const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
-    for (int i = 1; i <= map.width() * map.height(); ++i)
+    for (int i = 1; i <= map.width * map.height; ++i)
         if (dot(map.color(i), {1, 1, 1}) > 1e36)
             throw std::runtime_error("this light is too bright to be known: a radiance exceeds 1e36");
     return map;
@@ -112,10 +112,10 @@ EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Color ev
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
     : sun_(not_too_bright(map)), tables_{{0, sun_.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
     const TexelsOnSphere texels(*tables_[0].means, 256, 128);
-    tables_[0].solid_angle = texels.solid_angle(texels.rows() / 2);
+    tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
     Color everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
     double solid_angle = pi;
-    while (std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows()) solid_angle /= 4;
+    while (std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows) solid_angle /= 4;
     for (; solid_angle <= pi; solid_angle *= 4, everywhere = {}) {  // larger caps have it from the smaller ones
         EnvironmentMap means = average(*tables_.back().means, solid_angle, everywhere, threads);
         tables_.push_back({solid_angle, std::make_shared<const EnvironmentMap>(std::move(means))});

@@ -24,8 +24,7 @@ public:
     // It is from a table; its error is below 2e-3 of the largest E. (Nine harmonics would err by a few per cent:
     // Ramamoorthi & Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001.)
     Color sky_irradiance(Vec3 normal) const {
-        const TexelGrid& grid = irradiance_.grid();
-        return irradiance_.interpolated(grid.column(normal.x, normal.z), grid.row(normal.y));
+        return irradiance_.interpolated(irradiance_.column(normal.x, normal.z), irradiance_.row(normal.y));
     }
 
 private:

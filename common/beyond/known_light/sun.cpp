@@ -16,8 +16,8 @@ Sun::Sun(const EnvironmentMap& map, double threshold)
     : map_(map), all_(4 * portable::pi * mean_over_directions(map, brightness)) {
     const TexelsOnSphere texels(map);
     const double least = threshold * all_ / (4 * portable::pi);
-    for (int row = 0; row < texels.rows(); ++row)
-        for (int column = 0; column < texels.columns(); ++column) {
+    for (int row = 0; row < texels.rows; ++row)
+        for (int column = 0; column < texels.columns; ++column) {
             const Color light = texels(row, column);
             if (!(brightness(light) > least)) continue;
             texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
