@@ -1,7 +1,6 @@
 #include "beyond/known_light_cost.h"
 
 #include "light/load_environment.h"
-#include "numerics/work.h"
 
 namespace bmc::beyond {
 static PictureCost picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,

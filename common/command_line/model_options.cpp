@@ -1,7 +1,5 @@
 #include "command_line/model_options.h"
 
-#include <algorithm>
-
 namespace bmc {
 void add_model_options(Options& options, ModelSettings& s) {
     options.add("covariance", covariance_names, s.covariance);

@@ -1,11 +1,9 @@
 #include "experiments/belief.h"
 
 #include "experiments/integrands.h"
-#include "numerics/work.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace bmc {

@@ -1,7 +1,6 @@
 #include "experiments/models.h"
 
 #include "numerics/statistics.h"
-#include "numerics/work.h"
 #include "scene/scene.h"
 
 #include <numeric>

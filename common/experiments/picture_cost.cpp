@@ -1,9 +1,5 @@
 #include "experiments/picture_cost.h"
 
-#include "numerics/work.h"
-
-#include <algorithm>
-
 namespace bmc {
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
 static double seconds_per_megapixel(PictureCost picture) {

@@ -1,9 +1,5 @@
 #include "experiments/stability.h"
 
-#include "numerics/work.h"
-
-#include <algorithm>
-
 namespace bmc {
 namespace {
 

@@ -2,9 +2,7 @@
 
 #include "light/load_environment.h"
 #include "light/texels_on_sphere.h"
-#include "numerics/work.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace bmc {
@@ -61,7 +59,6 @@ static std::string rule_report() {
            formatted(
                R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes
 # %.2g seconds, and the step %s most of it. From 50,000 random directions, z alone would take %.2g minutes.
-
 
 )",
                usual.width, usual.height, pixels, usual.samples, pixels * std::accumulate(of_usual.begin(), end, 0.0),

@@ -2,7 +2,6 @@
 
 #include "numerics/formatted.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace bmc {

@@ -4,7 +4,6 @@
 #include "numerics/vec3.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace bmc {

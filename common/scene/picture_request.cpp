@@ -2,9 +2,6 @@
 
 #include "light/texels_on_sphere.h"
 #include "numerics/statistics.h"
-#include "numerics/work.h"
-
-#include <algorithm>
 
 namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {

@@ -2,8 +2,6 @@
 
 #include "numerics/work.h"
 
-#include <algorithm>
-
 namespace bmc {
 Shader environment_shader(const EnvironmentMap& environment, const PixelRules& rules) {
     return [&environment, rules](const Hit& hit, int x, int y) {

@@ -1,7 +1,5 @@
 #include "beyond/known_light/known_light.h"
 
-#include <algorithm>
-
 namespace bmc::beyond {
 SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
     if (!light.averages || light.averages->sun().empty()) return {samples, 0};
