@@ -29,17 +29,16 @@ double Covariance::zz() const {
            });
 }
 
-GeneralSobolev::GeneralSobolev(double s) : exponent_(s - 1), constant_(portable::pow(2, 2 * s - 1) / s), zz_(0) {
-    if (!(s >= min_smoothness && s <= max_smoothness))
-        throw std::invalid_argument(
-            formatted("the smoothness must lie from %g to %g; it is %.9g", min_smoothness, max_smoothness, s));
-    zz_ = Covariance::zz();
+static double checked(const char* what, double value, double low, double high) {
+    if (value >= low && value <= high) return value;
+    throw std::invalid_argument(formatted("the %s must lie from %g to %g; it is %.9g", what, low, high, value));
 }
 
-SquaredExponential::SquaredExponential(double l) : kappa_(1 / (l * l)), zz_(0) {
-    if (!(l >= min_length_scale && l <= max_length_scale))
-        throw std::invalid_argument(
-            formatted("the length-scale must lie from %g to %g; it is %.9g", min_length_scale, max_length_scale, l));
-    zz_ = Covariance::zz();
-}
+GeneralSobolev::GeneralSobolev(double s)
+    : exponent_(checked("smoothness", s, min_smoothness, max_smoothness) - 1),
+      constant_(portable::pow(2, 2 * s - 1) / s),
+      zz_(Covariance::zz()) {}
+
+SquaredExponential::SquaredExponential(double l)
+    : kappa_(1 / (l * checked("length-scale", l, min_length_scale, max_length_scale))), zz_(Covariance::zz()) {}
 }  // namespace bmc

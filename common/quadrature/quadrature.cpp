@@ -35,11 +35,10 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool practice = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
-    if (known == Known::cosine) {
-        if (practice) return std::make_shared<SobolevKnownCosine>();
+    if (known == Known::cosine && !practice)
         throw std::invalid_argument(
             "--known: cosine has a closed form with --covariance sobolev --smoothness 1.5 only");
-    }
+    if (known == Known::cosine) return std::make_shared<SobolevKnownCosine>();
     if (practice) return std::make_shared<Sobolev>();
     switch (covariance) {
         case CovarianceFamily::sobolev: return std::make_shared<GeneralSobolev>(smoothness);
