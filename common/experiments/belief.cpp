@@ -40,7 +40,7 @@ std::string Belief::report() const {
         const Vec3 direction = frame.to_world(w);
         return is_shadowed(sphere_scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
     };
-    const Integrand incident{"", [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); }, 0};
+    const auto incident = [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); };
     const std::vector<double> values = evaluate(incident, process.directions, settings.known);
     const double error = process.standard_error(values);
     print_note(formatted("estimate %.4f, standard error %s, truth %.4f", process.integral(values),

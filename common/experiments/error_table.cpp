@@ -13,7 +13,7 @@ static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integra
                           const DirectionSet& set) {
     const QuadratureRule rule = monte_carlo_rule(set);
     for (std::size_t i = 0; i < rows.size(); ++i)
-        rows[i].mc.add(absolute_error(estimate(rule, integrands[i]), integrands[i].truth));
+        rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
 }
 // END SOLUTION
 
@@ -23,7 +23,7 @@ static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integra
 static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
                            const GaussianProcess& process, Known known) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::vector<double> values = evaluate(integrands[i], process.directions, known);
+        const std::vector<double> values = evaluate(integrands[i].value, process.directions, known);
         rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
         rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
     }

@@ -23,24 +23,22 @@ std::vector<Integrand> practice_integrands(PracticeIntegrand chosen) {
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
     const Frame frame(normalize({0.3, 0.6, -0.7}));
-    Integrand integrand{"L(omega) cos(theta), the built-in environment above a tilted surface", nullptr, 0};
-    integrand.value = [=](Vec3 omega) { return luminance(light->radiance(frame.to_world(omega))) * omega.y; };
-    integrand.truth = reference_integral(integrand);
-    return integrand;
+    const auto value = [=](Vec3 omega) { return luminance(light->radiance(frame.to_world(omega))) * omega.y; };
+    return {"L(omega) cos(theta), the built-in environment above a tilted surface", value, reference_integral(value)};
 }
 
-double reference_integral(const Integrand& integrand) {
-    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18), Known::nothing}), integrand);
+double reference_integral(const std::function<double(Vec3)>& f) {
+    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18), Known::nothing}), f);
 }
 
-std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions, Known known) {
+std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions, Known known) {
     std::vector<double> values;
-    for (const Vec3& omega : directions) values.push_back(integrand.value(omega) / known_part(known, omega));
+    for (const Vec3& omega : directions) values.push_back(f(omega) / known_part(known, omega));
     return values;
 }
 
-double estimate(const QuadratureRule& rule, const Integrand& integrand) {
-    const std::vector<double> values = evaluate(integrand, rule.directions, rule.known);
+double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f) {
+    const std::vector<double> values = evaluate(f, rule.directions, rule.known);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 

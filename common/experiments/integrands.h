@@ -25,15 +25,15 @@ std::vector<Integrand> practice_integrands(PracticeIntegrand chosen = PracticeIn
 // The luminance of a light times cos(theta) above a tilted surface. Its truth is reference_integral.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);
 
-// The integral by 2^18 directions on the Fibonacci lattice.
-double reference_integral(const Integrand& integrand);
+// The integral of f by 2^18 directions on the Fibonacci lattice.
+double reference_integral(const std::function<double(Vec3)>& f);
 
-// The unknown factor of the integrand at each direction: its value divided by the known part.
-std::vector<double> evaluate(const Integrand& integrand, const std::vector<Vec3>& directions,
+// The unknown factor of f at each direction: its value divided by the known part.
+std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
                              Known known = Known::nothing);
 
-// The rule's estimate of the integral.
-double estimate(const QuadratureRule& rule, const Integrand& integrand);
+// The rule's estimate of the integral of f.
+double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f);
 
 // The directions of estimate number e with n samples: the same in every experiment with this placement and seed.
 DirectionSet directions_of_estimate(const ModelSettings& settings, std::size_t n, std::size_t e);

@@ -40,7 +40,7 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
         const GaussianProcess process(*covariance, model.noise, rule.directions);
         ModelResults of_set;
         for (const Integrand& integrand : integrands) {
-            const std::vector<double> values = evaluate(integrand, process.directions);
+            const std::vector<double> values = evaluate(integrand.value, process.directions);
             of_set.error.add(process.integral(values) - integrand.truth);
             of_set.predicted.add(process.standard_error(values));
             of_set.monte_carlo.add(std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0) -
@@ -66,13 +66,11 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
         const int y = static_cast<int>(500 * random.uniform());
         const std::optional<Hit> hit = intersect(sphere_scene, Camera{500, 500}.ray(x, y));
         if (!hit) continue;
-        Integrand integrand{"L v cos(theta)", nullptr, 0};
-        integrand.value = [light, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
+        const auto value = [light, hit = *hit, frame = Frame(hit->normal)](Vec3 local) {
             const Vec3 omega = frame.to_world(local);
             return is_shadowed(sphere_scene, hit, omega) ? 0 : luminance(light->radiance(omega)) * local.y;
         };
-        integrand.truth = estimate(dense, integrand);
-        integrands.push_back(integrand);
+        integrands.push_back({"L v cos(theta)", value, estimate(dense, value)});
     }
     return integrands;
 }
