@@ -55,13 +55,13 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
     return all;
 }
 
-}  // namespace
-
-std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t count) {
+// Incident luminance times cos(theta), shadows included, at random points that pixels of the sphere scene show. The
+// truth is a dense quadrature.
+std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light) {
     const QuadratureRule dense = monte_carlo_rule({fibonacci_directions(1 << 16)});
     Random random(1, 0);
     std::vector<Integrand> integrands;
-    while (integrands.size() < count) {
+    while (integrands.size() < points) {
         const int x = static_cast<int>(500 * random.uniform());
         const int y = static_cast<int>(500 * random.uniform());
         const std::optional<Hit> hit = intersect(sphere_scene, Camera{500, 500}.ray(x, y));
@@ -74,6 +74,8 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
     }
     return integrands;
 }
+
+}  // namespace
 
 double log_evidence(const GaussianProcess& process, const std::vector<double>& values) {
     double half_log_determinant = 0;
@@ -89,7 +91,7 @@ void ModelsReport::add_options(Options& options) {
 
 std::string ModelsReport::report() const {
     const auto light = std::make_shared<const EnvironmentMap>(load_environment(environment));
-    const std::vector<Integrand> integrands = scene_integrands(light, points);
+    const std::vector<Integrand> integrands = scene_integrands(light);
     std::string text = formatted(
         R"(# Which model does the scene require? Its light times visibility times cos(theta) at %zu points, by %zu
 # sets of %zu samples. rmse: the error of the estimate, with its standard error; ratio: predicted over actual

@@ -7,10 +7,6 @@
 #include "light/load_environment.h"
 
 namespace bmc {
-// Incident luminance times cos(theta), shadows included, at random points that pixels of the sphere scene show. The
-// truth is a dense quadrature.
-std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light, std::size_t points);
-
 // Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
 // (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8). Processes with one known part can
 // be compared by it.

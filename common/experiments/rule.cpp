@@ -22,22 +22,23 @@ static const char* const heading =
 static std::string weights_block(const GaussianProcess& process, Known known) {
     std::string text = heading;
     std::size_t negative = 0;
+    double sum = 0;
     for (std::size_t i = 0; i < process.weights.size(); ++i) {
         const Vec3 w = process.directions[i];
         const double weight = process.weights[i];
         text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", w.x, w.y, w.z, process.z[i], weight);
         negative += weight < 0;
+        sum += weight;
     }
     const QuadratureRule rule{process.directions, process.weights, known};
-    const double ratio = relative_weight_sum(rule), integral = known_integral(known);
+    const double integral = known_integral(known), ratio = sum / integral;
     return text + formatted(
                       R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
 # rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). %s negative.
 # A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
 # of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 )",
-                      ratio * integral, known == Known::cosine ? "cos(theta)" : "1", integral, ratio,
-                      stability_constant(rule),
+                      sum, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
                       negative == 0   ? "No weight is"
                       : negative == 1 ? "1 weight is"
                                       : formatted("%zu weights are", negative).c_str(),

@@ -1,7 +1,14 @@
 #include "experiments/stability.h"
 
+#include "quadrature/quadrature.h"
+
+#include <optional>
+
 namespace bmc {
 namespace {
+
+enum class SampleSet { random, duplicates, equator, pole, cluster };
+constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
 
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
 
@@ -46,8 +53,8 @@ std::vector<Vec3> rotated(const std::vector<Vec3>& directions, double turns) {
     return reverse;
 }
 
-}  // namespace
-
+// n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
+// 1e-8 of one direction.
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     Random random(1, n);
     std::vector<Vec3> directions = random_directions(n, random);
@@ -64,6 +71,13 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     return directions;
 }
 
+struct Stability {
+    double weight_error;  // the largest difference from the weights of four rotated sets, over the largest weight;
+                          // infinite if a rotated matrix cannot be factored
+    double constant;      // stability_constant
+};
+
+// nullopt if the covariance matrix cannot be factored.
 std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const Covariance& covariance, double noise) {
     std::optional<Stability> stability;
     try {
@@ -82,6 +96,8 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
     }
     return stability;
 }
+
+}  // namespace
 
 std::string StabilityReport::report() const {
     std::string text =

@@ -1,7 +1,5 @@
 #include "quadrature/quadrature.h"
 
-#include <numeric>
-
 namespace bmc {
 static DirectionSet rotated(DirectionSet set, Random& random) {
     const double turns = random.uniform();
@@ -55,10 +53,6 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
     return rule;
 }
 // END SOLUTION
-
-double relative_weight_sum(const QuadratureRule& rule) {
-    return std::accumulate(rule.weights.begin(), rule.weights.end(), 0.0) / known_integral(rule.known);
-}
 
 double stability_constant(const QuadratureRule& rule) {
     double sum = 0;

@@ -67,9 +67,6 @@ struct ModelSettings {
     std::shared_ptr<const Covariance> make_covariance() const;
 };
 
-// The sum of the weights over the integral of p: 1 for a rule that is exact for constants.
-double relative_weight_sum(const QuadratureRule& rule);
-
 // S, the sum of |weights| over the integral of p. If no sample errs by more than e, the estimate errs by at most e S
 // times the integral of p. Monte Carlo has S = 1. Above 2, weights of both signs cancel, and pictures are usually worse
 // than Monte Carlo's (Karvonen, Kanagawa & Sarkka, "On the positivity and magnitudes of Bayesian quadrature weights",
