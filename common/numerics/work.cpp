@@ -59,10 +59,9 @@ static Clock::time_point start;  // of the outermost work
 static bool running = false;
 static std::string shown;  // the end of what the terminal has
 
-bool Progress::begin() {
-    if (running) return false;
-    start = Clock::now();
-    return running = true;
+Progress::Progress(double parts) : parts_(parts), outermost_(!running) {
+    if (outermost_) start = Clock::now();
+    running = true;
 }
 
 Progress::~Progress() {

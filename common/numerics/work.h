@@ -19,7 +19,7 @@ double time_call(const std::function<void()>& action);
 // other, and shows nothing.
 class Progress {
 public:
-    explicit Progress(double parts) : parts_(parts) {}
+    explicit Progress(double parts);
     ~Progress();
     void done(double parts = 1);                // any thread may call this
     static void show(const std::string& text);  // in place of what the terminal shows
@@ -27,8 +27,7 @@ public:
 private:
     const double parts_;
     double done_ = 0;
-    const bool outermost_ = begin();
-    static bool begin();
+    const bool outermost_;
 };
 
 // Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a

@@ -53,10 +53,9 @@ std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) con
 OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
     const Frame frame(normal);
     switch (settings.method) {
-        case Method::mc: {
+        case Method::mc:
             if (shared.empty()) return {frame, fresh_rule(random)};
             return {frame.rotated(random.uniform()), shared[0]};
-        }
         case Method::direct: {
             // BEGIN SOLUTION rule_for
             return {frame, fresh_rule(random)};
