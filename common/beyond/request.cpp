@@ -38,9 +38,8 @@ Image Request::image(const EnvironmentMap& map) const {
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
     }
-    if (!light_known) note_missed_light(map, chosen.samples, "; --known light models it");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen);
+    Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen, "; --known light models it");
     if (show == Show::picture) return image;
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);

@@ -65,10 +65,7 @@ void PictureRequest::require_possible() const {
             "--samples: '%zu' is too many: at most 4096, except with --method mc on a lattice", settings.samples));
 }
 
-Image PictureRequest::image(const EnvironmentMap& light) const {
-    note_missed_light(light, settings.samples);
-    return warned_picture(light, settings);
-}
+Image PictureRequest::image(const EnvironmentMap& light) const { return warned_picture(light, settings); }
 
 std::string PictureRequest::file(Image image) const {
     if (format != Format::pfm) {
@@ -112,7 +109,8 @@ static void note_long_wait(RenderSettings settings) {
                    " minutes; --method pool makes one for each of its --pool");
 }
 
-Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings) {
+Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings, const char* cure) {
+    note_missed_light(light, settings.samples, cure);
     note_long_wait(settings);
     const PixelRules rules(settings);
     warn_of_weights(rules);

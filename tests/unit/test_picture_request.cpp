@@ -109,7 +109,7 @@ TEST_CASE("samples miss a light if its contrast is above half the root of their 
     CHECK(relative(contrast(map), c) < 1e-9);
     const auto most = static_cast<std::size_t>(4 * c * c);
     const auto note = [](const EnvironmentMap& light, std::size_t samples) {
-        return stderr_of([&] { note_missed_light(light, samples); });
+        return stderr_of([&] { note_missed_light(light, samples, ""); });
     };
     CHECK(note(map, most) == Containing{"note: expect an error of about 50 % of the picture's brightness with"});
     CHECK(note(map, most) == Containing{formatted("%zu samples: the standard deviation of the light is", most)});
