@@ -77,7 +77,7 @@ struct Experiment {
         add_options(all);
         return all;
     }
-    virtual void add_options(Options& options) = 0;  // they set members; idle with the values that these have
+    virtual void add_options(Options&) {}    // they set members; idle with the values that these have
     virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
 };
 

@@ -21,10 +21,6 @@ std::vector<ModelSettings> all_models() {
     return models;
 }
 
-double parameter_of(const ModelSettings& model) {
-    return model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
-}
-
 // Of a model on the integrands, and of Monte Carlo, over the sets of directions. The errors at the points of one set
 // are not independent, so a set gives one number of each kind.
 struct ModelResults {
@@ -107,10 +103,11 @@ std::string ModelsReport::report() const {
         const ModelResults v = results_of(model, integrands, samples);
         mc = v.monte_carlo;
         progress.done();
+        const double parameter = model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
         const double ratio = v.predicted.value() / v.error.value();
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
         text += formatted("%-21s %9g %6g %10.4g %10.2g %6s %9.1f\n", name_of(model.covariance, covariance_names),
-                          parameter_of(model), model.noise, v.error.value(), v.error.standard_error(),
+                          parameter, model.noise, v.error.value(), v.error.standard_error(),
                           std::isfinite(ratio) ? formatted("%.2f", ratio).c_str() : "-",
                           v.evidence.mean - evidence_of_default);
     }

@@ -33,7 +33,6 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
     settings.samples = samples;
     settings.seed = 1000 * (costs.seed - 1) + 1;
     settings.width = settings.height = costs.size;
-    settings.threads = processors();
     return settings;
 }
 

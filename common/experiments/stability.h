@@ -8,7 +8,6 @@
 namespace bmc {
 // What `workbench stability` prints.
 struct StabilityReport : Experiment {
-    void add_options(Options&) override {}
     std::string report() const override;
 };
 }  // namespace bmc

@@ -12,8 +12,6 @@ struct PictureRequest : Experiment {
     Format format = Format::ppm;
     double exposure = 0;  // in stops
 
-    PictureRequest() { settings.threads = processors(); }
-
     void add_options(Options& options) override;
     std::string report() const override;  // the file
 

@@ -1,7 +1,5 @@
 #include "scene/pixel_rules.h"
 
-#include "numerics/work.h"
-
 namespace bmc {
 Random pixel_stream(const RenderSettings& settings, int x, int y) {
     return {settings.seed, static_cast<std::uint64_t>(std::int64_t{y} * settings.width + x)};

@@ -2,6 +2,7 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
+#include "numerics/work.h"
 #include "scene/reflection.h"
 
 namespace bmc {
@@ -19,7 +20,7 @@ struct RenderSettings : ModelSettings {
     std::size_t samples = 40;  // directions per pixel
     std::size_t pool = 20;     // Gaussian processes in the pool
     int width = 500, height = 500;
-    std::size_t threads = 1;  // changes no bit of the image
+    std::size_t threads = processors();  // changes no bit of the image
 };
 
 // The random stream of a pixel: no two pixels share one.

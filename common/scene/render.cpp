@@ -1,7 +1,5 @@
 #include "scene/render.h"
 
-#include "numerics/work.h"
-
 namespace bmc {
 Shader environment_shader(const EnvironmentMap& environment, const PixelRules& rules) {
     return [&environment, rules](const Hit& hit, int x, int y) {
