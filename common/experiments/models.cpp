@@ -3,8 +3,6 @@
 #include "numerics/statistics.h"
 #include "scene/scene.h"
 
-#include <numeric>
-
 namespace bmc {
 namespace {
 
@@ -39,8 +37,7 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
             const std::vector<double> values = evaluate(integrand.value, process.directions);
             of_set.error.add(process.integral(values) - integrand.truth);
             of_set.predicted.add(process.standard_error(values));
-            of_set.monte_carlo.add(std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0) -
-                                   integrand.truth);
+            of_set.monte_carlo.add(estimate(rule, integrand.value) - integrand.truth);
             if (process.amplitude(values) > 0) of_set.evidence.add(log_evidence(process, values));  // zeros fit all
         }
         all.error.add(of_set.error.value());
