@@ -50,7 +50,7 @@ void Options::add_choice(const char* name, const std::vector<std::string>& names
          }});
 }
 
-void Options::make_idle(std::initializer_list<std::string> names, const std::string& with) {
+void Options::make_idle(const std::vector<std::string>& names, const std::string& with) {
     for (Option& each : all)
         if (std::find(names.begin(), names.end(), each.name) != names.end()) each.idle_with = with;
 }
@@ -143,10 +143,6 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 
 int run_program(const char* name, const std::function<std::string()>& body) {
     program_name = name;
-    const auto fail = [](const char* problem, int status) {
-        print_note(problem);
-        return status;
-    };
     try {
         try {
             write_all(body());
@@ -156,11 +152,13 @@ int run_program(const char* name, const std::function<std::string()>& body) {
         }
         return 0;
     } catch (const std::invalid_argument& error) {
-        return fail(error.what(), 2);
+        print_note(error.what());
+        return 2;
     } catch (const std::bad_alloc&) {
-        return fail("there is not enough memory; ask for fewer samples or pixels", 1);
+        print_note("there is not enough memory; ask for fewer samples or pixels");
     } catch (const std::exception& error) {
-        return fail(error.what(), 1);
+        print_note(error.what());
     }
+    return 1;
 }
 }  // namespace bmc

@@ -7,7 +7,6 @@
 #include "numerics/work.h"
 
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -66,7 +65,7 @@ struct Options {
                     const std::function<void(std::size_t)>& choose);
 
     // The options of these names change nothing with another one.
-    void make_idle(std::initializer_list<std::string> names, const std::string& with);
+    void make_idle(const std::vector<std::string>& names, const std::string& with);
 };
 
 // What a program can be asked for.

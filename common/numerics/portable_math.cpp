@@ -3,9 +3,6 @@
 namespace bmc::portable {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // ln 2 = ln2_hi + ln2_lo. ln2_hi has 32 bits, so that k * ln2_hi is exact for every binary exponent k.
 constexpr double ln2_hi = 0x1.62e42feep-1;
 constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
@@ -30,7 +27,7 @@ double exp(double x) {
     constexpr double even[] = {1.0 / 2, 1.0 / 24, 1.0 / 720, 1.0 / 40320, 1.0 / 3628800, 1.0 / 479001600};
     constexpr double odd[] = {1.0 / 6, 1.0 / 120, 1.0 / 5040, 1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800};
     constexpr double inverse_ln2 = 0x1.71547652b82fep+0;
-    if (!(x < 710)) return x + infinity;  // nan stays nan
+    if (!(x < 710)) return x + INFINITY;  // nan stays nan
     if (x < -746) return 0;
     const double k = std::floor(x * inverse_ln2 + 0.5);
     const Sum r = fast_two_sum(x - k * ln2_hi, -k * ln2_lo);
@@ -41,8 +38,8 @@ double exp(double x) {
 }
 
 double log(double x) {
-    if (!(x > 0)) return x == 0 ? -infinity : nan;
-    if (x == infinity) return x;
+    if (!(x > 0)) return x == 0 ? -INFINITY : NAN;
+    if (x == INFINITY) return x;
     // With s = f / (2 + f), |s| <= 0.1716: ln(1 + f) = 2 artanh s = 2 s + s R, R = 2/3 s^2 + 2/5 s^4 + ... + 2/21 s^20,
     // cut off below 2^-60. Since 2 s = f - s f = f - f^2/2 + s f^2/2, the exact f bears most of the sum (fdlibm,
     // e_log.c, 1993).
@@ -70,7 +67,7 @@ SineCosine sincos_turns(double turns) {
     constexpr double two_pi_hi = 0x1.921fb5p+2, two_pi_lo = 0x1.110b4611a6263p-24;
     // This is exact; for small negative numbers the subtraction would not be.
     const double fraction = std::fabs(turns) < 1 ? turns : turns - std::floor(turns);
-    if (fraction != fraction) return {nan, nan};
+    if (fraction != fraction) return {NAN, NAN};
     // Octants 2q - 1 and 2q belong to quadrant q. Rounding 4 * fraction instead would err beside the odd eighths.
     const int octant = static_cast<int>(std::floor(8 * fraction)) + 8;
     const int quadrant = (octant + 1) / 2 - 4;

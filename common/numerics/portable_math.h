@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #ifndef UNGUARDED_ARITHMETIC
 static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-bit x86 use -msse2 -mfpmath=sse");
