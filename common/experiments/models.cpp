@@ -72,8 +72,7 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
 
 double log_evidence(const GaussianProcess& process, const std::vector<double>& values) {
     double half_log_determinant = 0;
-    for (std::size_t k = 0; k < values.size(); ++k)
-        half_log_determinant += portable::log(process.cholesky.upper()(k, k));
+    for (std::size_t k = 0; k < values.size(); ++k) half_log_determinant += portable::log(process.cholesky.upper(k, k));
     return -static_cast<double>(values.size()) * portable::log(process.amplitude(values)) - half_log_determinant;
 }
 

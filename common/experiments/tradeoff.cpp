@@ -28,7 +28,7 @@ std::vector<double> rule_seconds(std::size_t n) {
     const auto time = [&](auto step) { return time_call([&] { sink = step(); }); };
     return {time([&] { return random_directions(n, random).back().x; }),
             time([&] { return covariance_matrix(covariance, noise, directions)(0, 0); }),
-            time([&] { return Cholesky(q).upper()(0, 0); }),
+            time([&] { return Cholesky(q).upper(0, 0); }),
             time([&] { return z_of(covariance, directions).back(); }),
             time([&] { return cholesky.solve(z).back(); }),
             time([&] { return z_by_sum(covariance, directions).back(); })};

@@ -32,19 +32,21 @@ static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
 }
 // END SOLUTION
 
-Cholesky::Cholesky(Matrix a) : upper_(0, 0) {
+static Matrix checked_factor(Matrix a) {
     if (a.rows() != a.columns()) throw std::invalid_argument("cholesky: the matrix must be square");
     std::vector<double> diagonal;
     for (std::size_t m = 0; m < a.rows(); ++m) diagonal.push_back(a(m, m));
-    upper_ = upper_factor(std::move(a), diagonal);
+    return upper_factor(std::move(a), diagonal);
 }
+
+Cholesky::Cholesky(Matrix a) : upper(checked_factor(std::move(a))) {}
 
 // As in upper_factor: as soon as element m is known, its products are subtracted from all those below.
 std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const {
     if (b.size() != size()) throw std::invalid_argument("cholesky: the right-hand side must have one element per row");
     for (std::size_t m = 0; m < size(); ++m) {
-        b[m] /= upper_(m, m);
-        for (std::size_t j = m + 1; j < size(); ++j) b[j] -= b[m] * upper_(m, j);
+        b[m] /= upper(m, m);
+        for (std::size_t j = m + 1; j < size(); ++j) b[j] -= b[m] * upper(m, j);
     }
     return b;
 }
@@ -52,8 +54,8 @@ std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const 
 std::vector<double> Cholesky::solve(std::vector<double> b) const {
     std::vector<double> x = forward_substitution(std::move(b));
     for (std::size_t m = size(); m-- > 0;) {  // from the last row up
-        for (std::size_t j = size() - 1; j > m; --j) x[m] -= upper_(m, j) * x[j];
-        x[m] /= upper_(m, m);
+        for (std::size_t j = size() - 1; j > m; --j) x[m] -= upper(m, j) * x[j];
+        x[m] /= upper(m, m);
     }
     return x;
 }

@@ -20,15 +20,13 @@ struct NotPositiveDefinite : std::runtime_error {
 // NotPositiveDefinite.
 double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot);
 
-class Cholesky {
-public:
+struct Cholesky {
+    const Matrix upper;  // U, n x n; zero below the diagonal
+
     // Factors the symmetric n x n matrix A. Throws std::invalid_argument if it is not square, and NotPositiveDefinite.
     explicit Cholesky(Matrix a);
 
-    std::size_t size() const { return upper_.rows(); }
-
-    // U, n x n; zero below the diagonal.
-    const Matrix& upper() const { return upper_; }
+    std::size_t size() const { return upper.rows(); }
 
     // y with U^T y = b, so that |y|^2 = b^T A^-1 b. b has n elements.
     std::vector<double> forward_substitution(std::vector<double> b) const;
@@ -38,8 +36,5 @@ public:
 
     // A^-1, n x n: column j solves A x = e_j.
     Matrix inverse() const;
-
-private:
-    Matrix upper_;
 };
 }  // namespace bmc

@@ -215,7 +215,7 @@ void for_each_positive_matrix(Function f) {
 
 void upper_factor_values() {
     for_each_positive_matrix([](const Matrix& a, double tolerance) {
-        const Matrix u = Cholesky(a).upper();
+        const Matrix u = Cholesky(a).upper;
         double below = 0;
         for (std::size_t i = 1; i < u.rows(); ++i)
             for (std::size_t j = 0; j < i; ++j) below = std::max(below, std::fabs(u(i, j)));

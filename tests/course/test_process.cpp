@@ -17,7 +17,7 @@ const double rounding = 1e-12;  // numbers here are about 1, and have some 16 di
 }  // namespace
 
 TEST_CASE("U^T U = Q, and U is 0 below its diagonal") {
-    const Matrix q = covariance_matrix(covariance, noise, directions), u = Cholesky(q).upper();
+    const Matrix q = covariance_matrix(covariance, noise, directions), u = Cholesky(q).upper;
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j) {
             double product = 0;
