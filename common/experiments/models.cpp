@@ -4,12 +4,10 @@
 #include "scene/scene.h"
 
 namespace bmc {
-namespace {
-
 constexpr std::size_t points = 100, sets = 20;
 
 // The default first.
-std::vector<ModelSettings> all_models() {
+static std::vector<ModelSettings> all_models() {
     constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
     std::vector<ModelSettings> models{{}};
     for (const double s : {1.1, 1.25, 1.4, 1.8}) models.push_back({sobolev, s, 1, 0.01});
@@ -26,7 +24,8 @@ struct ModelResults {
     Statistics evidence;  // per point
 };
 
-ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>& integrands, std::size_t samples) {
+static ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>& integrands,
+                               std::size_t samples) {
     const auto covariance = model.make_covariance();
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
@@ -50,7 +49,7 @@ ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>
 
 // Incident luminance times cos(theta), shadows included, at random points that pixels of the sphere scene show. The
 // truth is a dense quadrature.
-std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light) {
+static std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light) {
     const QuadratureRule dense = monte_carlo_rule({fibonacci_directions(1 << 16)});
     Random random(1, 0);
     std::vector<Integrand> integrands;
@@ -67,8 +66,6 @@ std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentM
     }
     return integrands;
 }
-
-}  // namespace
 
 double log_evidence(const GaussianProcess& process, const std::vector<double>& values) {
     double half_log_determinant = 0;

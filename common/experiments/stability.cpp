@@ -5,8 +5,6 @@
 #include <optional>
 
 namespace bmc {
-namespace {
-
 enum class SampleSet { random, duplicates, equator, pole, cluster };
 constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
 
@@ -20,7 +18,7 @@ struct Setting {
 };
 
 // The sweeps: numbers of samples, covariances, sample sets.
-std::vector<Setting> settings() {
+static std::vector<Setting> settings() {
     constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
     std::vector<Setting> all;
     for (const std::size_t n : {1u, 2u, 10u, 100u, 1000u}) all.push_back({SampleSet::random, n, sobolev, 1.5});
@@ -35,19 +33,19 @@ std::vector<Setting> settings() {
 }
 
 // The decimal digits that are right, of the 16 of a double.
-int digits_of(double error) {
+static int digits_of(double error) {
     if (!(error > 1e-16)) return 16;
     return static_cast<int>(std::max(0.0, std::floor(-portable::log(error) / portable::log(10))));
 }
 
-std::string numbers_line(const char* name, const std::vector<int>& numbers) {
+static std::string numbers_line(const char* name, const std::vector<int>& numbers) {
     std::string line = formatted("# %-50s", name);
     for (const int number : numbers) line += formatted("%5d", number);
     return line + '\n';
 }
 
 // The same directions rotated about the up axis, in the reverse order.
-std::vector<Vec3> rotated(const std::vector<Vec3>& directions, double turns) {
+static std::vector<Vec3> rotated(const std::vector<Vec3>& directions, double turns) {
     std::vector<Vec3> reverse;
     for (std::size_t i = directions.size(); i-- > 0;) reverse.push_back(rotate_around_y(directions[i], turns));
     return reverse;
@@ -55,7 +53,7 @@ std::vector<Vec3> rotated(const std::vector<Vec3>& directions, double turns) {
 
 // n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
 // 1e-8 of one direction.
-std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
+static std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     Random random(1, n);
     std::vector<Vec3> directions = random_directions(n, random);
     for (std::size_t i = 0; i < n; ++i) {
@@ -78,7 +76,8 @@ struct Stability {
 };
 
 // nullopt if the covariance matrix cannot be factored.
-std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const Covariance& covariance, double noise) {
+static std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const Covariance& covariance,
+                                             double noise) {
     std::optional<Stability> stability;
     try {
         const QuadratureRule rule = bayesian_rule(covariance, noise, directions);
@@ -96,8 +95,6 @@ std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const
     }
     return stability;
 }
-
-}  // namespace
 
 std::string StabilityReport::report() const {
     std::string text =

@@ -6,11 +6,9 @@
 #include <stdexcept>
 
 namespace bmc {
-namespace {
-
 using Rgbe = std::array<unsigned char, 4>;
 
-std::string header_line(std::istream& in) {
+static std::string header_line(std::istream& in) {
     char line[4096];
     if (!in.getline(line, sizeof line))
         throw std::runtime_error(in.eof() ? "the file ends inside the header" : "a line of the header is too long");
@@ -21,12 +19,12 @@ std::string header_line(std::istream& in) {
 
 constexpr const char* converter = "; `oiiotool in -o out.hdr` converts it";
 
-bool begins_with(const std::string& text, const std::string& beginning) {
+static bool begins_with(const std::string& text, const std::string& beginning) {
     return text.compare(0, beginning.size(), beginning) == 0;
 }
 
 // The text after the first '=', without blanks around it.
-std::string value_in(const std::string& line) {
+static std::string value_in(const std::string& line) {
     const std::size_t begin = line.find_first_not_of(" \t", line.find('=') + 1), end = line.find_last_not_of(" \t");
     return begin == std::string::npos ? "" : line.substr(begin, end - begin + 1);
 }
@@ -38,7 +36,7 @@ struct Header {
 };
 
 // EXPOSURE has one factor, COLORCORR one for each channel. Several lines multiply.
-void multiply(Header& header, const std::string& line, std::vector<std::string>& notes) {
+static void multiply(Header& header, const std::string& line, std::vector<std::string>& notes) {
     double f[3] = {0, 0, 0};
     char more;
     const std::string value = value_in(line);
@@ -53,7 +51,7 @@ void multiply(Header& header, const std::string& line, std::vector<std::string>&
 }
 
 // The first line is #? and the name of a program, any.
-void read_signature(std::istream& in) {
+static void read_signature(std::istream& in) {
     char start[9] = {};
     if (in.peek() != '#') in.get(start, sizeof start, '\0');
     if (begins_with(start, "v/1\1")) throw std::runtime_error(std::string("an OpenEXR picture") + converter);
@@ -62,7 +60,7 @@ void read_signature(std::istream& in) {
         throw std::runtime_error(std::string("not a Radiance picture, whose first line begins with #?") + converter);
 }
 
-Header read_header(std::istream& in, std::vector<std::string>& notes) {
+static Header read_header(std::istream& in, std::vector<std::string>& notes) {
     in.exceptions(std::ios::badbit);  // an error of reading does not end the file
     read_signature(in);
     Header header{};
@@ -85,13 +83,13 @@ Header read_header(std::istream& in, std::vector<std::string>& notes) {
     return header;
 }
 
-unsigned char byte(std::istream& in) {
+static unsigned char byte(std::istream& in) {
     const int c = in.rdbuf()->sbumpc();
     if (c == std::char_traits<char>::eof()) throw std::runtime_error("the file ends inside a scanline");
     return static_cast<unsigned char>(c);
 }
 
-Rgbe texel(std::istream& in) {
+static Rgbe texel(std::istream& in) {
     Rgbe rgbe;
     for (unsigned char& component : rgbe) component = byte(in);
     if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1)
@@ -101,7 +99,7 @@ Rgbe texel(std::istream& in) {
 
 // One component of a run-length coded scanline. A code above 128 repeats the next byte code - 128 times; any other is
 // followed by that many bytes.
-void read_component(std::istream& in, std::vector<Rgbe>& scanline, std::size_t component) {
+static void read_component(std::istream& in, std::vector<Rgbe>& scanline, std::size_t component) {
     for (std::size_t x = 0; x < scanline.size();) {
         const std::size_t code = byte(in), count = code > 128 ? code - 128 : code;
         if (count == 0 || count > scanline.size() - x)
@@ -112,7 +110,7 @@ void read_component(std::istream& in, std::vector<Rgbe>& scanline, std::size_t c
 }
 
 // Run-length coded scanlines begin with a texel (2, 2, high, low), which is no colour. All others are flat.
-void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanline) {
+static void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanline) {
     scanline.assign(1, texel(in));
     const auto [two, also_two, high, low] = scanline[0];
     if (two != 2 || also_two != 2 || high >= 128 || width < 8 || width > 32767) {
@@ -124,8 +122,6 @@ void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanl
         for (std::size_t component = 0; component < 4; ++component) read_component(in, scanline, component);
     }
 }
-
-}  // namespace
 
 // Without factors radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
 EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes) {

@@ -1,8 +1,6 @@
 #include "numerics/portable_math.h"
 
 namespace bmc::portable {
-namespace {
-
 // ln 2 = ln2_hi + ln2_lo. ln2_hi has 32 bits, so that k * ln2_hi is exact for every binary exponent k.
 constexpr double ln2_hi = 0x1.62e42feep-1;
 constexpr double ln2_lo = 0x1.a39ef35793c76p-33;
@@ -14,12 +12,10 @@ struct Sum {
 
 // a + b without error, if a = 0 or the binary exponent of a is at least that of b (Dekker, "A floating-point technique
 // for extending the available precision", Numerische Mathematik 18, 1971).
-Sum fast_two_sum(double a, double b) {
+static Sum fast_two_sum(double a, double b) {
     const double sum = a + b;
     return {sum, (a - sum) + b};
 }
-
-}  // namespace
 
 // 2^k e^r with |r| <= ln(2) / 2. The series e^r = 1 + r + r^2 (1/2! + r/3! + ... + r^11/13!) is cut off below 2^-57;
 // its even and odd powers are summed apart, side by side.
