@@ -14,13 +14,9 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
-static const char* const heading =
-    R"(#                      x                        y                        z          z_j                   weight
-)";
-
 // 17 digits are a double: read_samples reads the directions that are printed here.
 static std::string weights_block(const GaussianProcess& process, Known known) {
-    std::string text = heading;
+    std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
     std::size_t negative = 0;
     double sum = 0;
     for (std::size_t i = 0; i < process.weights.size(); ++i) {

@@ -44,13 +44,6 @@ static std::string numbers_line(const char* name, const std::vector<int>& number
     return line + '\n';
 }
 
-// The same directions rotated about the up axis, in the reverse order.
-static std::vector<Vec3> rotated(const std::vector<Vec3>& directions, double turns) {
-    std::vector<Vec3> reverse;
-    for (std::size_t i = directions.size(); i-- > 0;) reverse.push_back(rotate_around_y(directions[i], turns));
-    return reverse;
-}
-
 // n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
 // 1e-8 of one direction.
 static std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
@@ -84,7 +77,9 @@ static std::optional<Stability> stability_of(const std::vector<Vec3>& directions
         stability = {INFINITY, stability_constant(rule)};
         double difference = 0, largest = 0;
         for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
-            const QuadratureRule other = bayesian_rule(covariance, noise, rotated(directions, turns));
+            std::vector<Vec3> turned(directions.rbegin(), directions.rend());  // in the reverse order
+            for (Vec3& direction : turned) direction = rotate_around_y(direction, turns);
+            const QuadratureRule other = bayesian_rule(covariance, noise, turned);
             for (std::size_t i = 0; i < rule.size(); ++i) {
                 difference = std::max(difference, std::fabs(rule.weights[i] - other.weights[rule.size() - 1 - i]));
                 largest = std::max(largest, std::fabs(rule.weights[i]));

@@ -131,9 +131,9 @@ EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& not
     for (int row = 0; row < header.height; ++row) {
         read_scanline(in, static_cast<std::size_t>(header.width), scanline);
         for (const Rgbe& rgbe : scanline) {
-            const float scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0f, rgbe[3] - 136);
+            const double scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0, rgbe[3] - 136);
             for (std::size_t i = 0; i < 3; ++i) {
-                const double radiance = rgbe[i] * static_cast<double>(scale) / header.factors[i];
+                const double radiance = rgbe[i] * scale / header.factors[i];
                 if (!(radiance <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
                 rgb.push_back(static_cast<float>(radiance));
             }

@@ -14,21 +14,19 @@ namespace bmc {
 // one line that begins with the name. missing: what it says of a file that cannot be opened.
 template <class Read>
 auto read_file(const std::string& name, Read read, const char* missing = "there is no such file") {
-    const std::string shown = name == "-" ? "standard input" : name;
     std::ifstream file(name, std::ios::binary);
 #ifdef _WIN32
     if (name == "-") _setmode(STDIN_FILENO, _O_BINARY);
 #endif
-    std::string problem;
+    std::string problem = "it cannot be read to its end";
     try {
         if (name != "-" && !file) throw std::runtime_error(missing);
         auto content = read(name == "-" ? std::cin : file);
         if (!std::ferror(stdin)) return content;
     } catch (const std::ios_base::failure&) {
     } catch (const std::runtime_error& error) {
-        problem = error.what();
+        if (!std::ferror(stdin)) problem = error.what();
     }
-    const bool unread = problem.empty() || std::ferror(stdin);
-    throw std::runtime_error(shown + ": " + (unread ? "it cannot be read to its end" : problem));
+    throw std::runtime_error((name == "-" ? "standard input" : name) + ": " + problem);
 }
 }  // namespace bmc
