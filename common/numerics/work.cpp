@@ -59,6 +59,20 @@ static Clock::time_point start;  // of the outermost work
 static bool running = false;
 static std::string shown;  // the end of what the terminal has
 
+// For Ctrl-C, so that no line stays in front of the prompt. A signal handler may call these functions.
+static void erase_and_stop(int signal) {
+    constexpr char blanks[] = "\r                              \r";
+    if (write(STDERR_FILENO, blanks, sizeof blanks - 1) >= 0) std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+static void show(const std::string& text) {
+    if (text == shown) return;
+    if (shown.empty()) std::signal(SIGINT, erase_and_stop);
+    std::fprintf(stderr, "\r%*s\r%s", static_cast<int>(shown.size()), "", text.c_str());
+    shown = text;
+}
+
 Progress::Progress(double parts) : parts_(parts), outermost_(!running) {
     if (outermost_) start = Clock::now();
     running = true;
@@ -79,20 +93,6 @@ void Progress::done(double parts) {
     show(formatted("%.0f %%, %.0f s left", 100 * fraction, fraction < 1 ? seconds / fraction - seconds : 0));
 }
 
-// For Ctrl-C, so that no line stays in front of the prompt. A signal handler may call these functions.
-static void erase_and_stop(int signal) {
-    constexpr char blanks[] = "\r                              \r";
-    if (write(STDERR_FILENO, blanks, sizeof blanks - 1) >= 0) std::signal(signal, SIG_DFL);
-    std::raise(signal);
-}
-
-void Progress::show(const std::string& text) {
-    if (text == shown) return;
-    if (shown.empty()) std::signal(SIGINT, erase_and_stop);
-    std::fprintf(stderr, "\r%*s\r%s", static_cast<int>(shown.size()), "", text.c_str());
-    shown = text;
-}
-
 const char* program_name = "bmc";
 
 // Nothing here allocates: the problem may be a lack of memory.
@@ -109,7 +109,7 @@ void print_note(std::string_view text) {
         const bool of_utf8 = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
         line[count++] = byte < ' ' || byte == 0x7f || of_utf8 ? '?' : text[i];
     }
-    Progress::show("");
+    show("");
     std::fprintf(stderr, "%s: %.*s\n", program_name, static_cast<int>(count), line);
 }
 }  // namespace bmc

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <string_view>
 
 namespace bmc {
 // The number of processors of this machine, at least 1.
@@ -21,8 +21,7 @@ class Progress {
 public:
     explicit Progress(double parts);
     ~Progress();
-    void done(double parts = 1);                // any thread may call this
-    static void show(const std::string& text);  // in place of what the terminal shows
+    void done(double parts = 1);  // any thread may call this
 
 private:
     const double parts_;
