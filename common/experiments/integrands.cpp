@@ -5,20 +5,15 @@
 #include <numeric>
 
 namespace bmc {
+// In the order of their names.
 std::vector<Integrand> practice_integrands(PracticeIntegrand chosen) {
-    std::vector<Integrand> integrands;
-    switch (chosen) {
-        case PracticeIntegrand::cosine: return {{"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi}};
-        case PracticeIntegrand::cosine_cubed:
-            return {{"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2}};
-        case PracticeIntegrand::environment:
-            return {environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()))};
-        case PracticeIntegrand::constant: return {{"1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
-        case PracticeIntegrand::all:
-            for (std::size_t i = 1; i < std::size(practice_integrand_names); ++i)
-                integrands.push_back(practice_integrands(static_cast<PracticeIntegrand>(i))[0]);
-    }
-    return integrands;
+    const std::vector<Integrand> all{
+        {"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi},
+        {"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2},
+        environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())),
+        {"1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
+    if (chosen == PracticeIntegrand::all) return all;
+    return {all.at(static_cast<std::size_t>(chosen) - 1)};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
