@@ -146,6 +146,6 @@ std::string RuleReport::report() const {
     if (given.columns == 4) text += estimate_line(process, settings.known, given.fourth);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
-           matrix_block("Q^-1", process.cholesky.inverse());
+           matrix_block("Q^-1", process.inverse_covariance());
 }
 }  // namespace bmc

@@ -58,6 +58,7 @@ static std::string rule_report() {
                R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes
 # %.2g seconds, and the step %s most of it. From 50,000 random directions, z alone would take %.2g minutes.
 
+
 )",
                usual.width, usual.height, pixels, usual.samples, pixels * std::accumulate(of_usual.begin(), end, 0.0),
                steps[costly], pixels * *end / 60);

@@ -25,6 +25,9 @@ struct GaussianProcess {
     // NotPositiveDefinite if Q cannot be factored.
     GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions);
 
+    // Q^-1, n x n. An estimate does not need it.
+    Matrix inverse_covariance() const { return cholesky.inverse(); }
+
     // The estimate of the integral of f p over H. Here and below values[i] = f(directions[i]), n of them.
     double integral(const std::vector<double>& values) const;
 

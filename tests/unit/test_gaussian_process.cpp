@@ -29,7 +29,7 @@ TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matri
         CHECK(relative(process.variance, v) < 1e-12);
         CHECK(relative(process.amplitude({1, 3}), amplitude) < 2e-14);
         CHECK(relative(process.standard_error({1, 3}), amplitude * std::sqrt(v)) < 1e-12);
-        CHECK(relative(process.cholesky.inverse()(0, 1), -b / determinant) < 2e-14);
+        CHECK(relative(process.inverse_covariance()(0, 1), -b / determinant) < 2e-14);
     }
 }
 
