@@ -43,9 +43,8 @@ std::string Belief::report() const {
     const auto incident = [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); };
     const std::vector<double> values = evaluate(incident, process.directions, settings.known);
     const double error = process.standard_error(values);
-    print_note(formatted("estimate %.4f, standard error %s, truth %.4f", process.integral(values),
-                         std::isnan(error) ? "unknown" : formatted("%.4f", error).c_str(),
-                         reference_integral(incident)));
+    print_note(formatted("estimate %.5g, standard error %s, truth %.5g", process.integral(values),
+                         error > 0 ? formatted("%.3g", error).c_str() : "unknown", reference_integral(incident)));
 
     std::vector<Color> seen;
     for (const Vec3& direction : process.directions) seen.push_back(light(direction));

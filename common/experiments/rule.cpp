@@ -43,8 +43,9 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
 
 static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
     const double estimate = process.integral(values), error = process.standard_error(values);
-    if (!std::isfinite(estimate + process.amplitude(values)))
-        throw std::runtime_error("the estimate exceeds the largest number, 1.8e308; scale the values down");
+    if (!std::isfinite(estimate) || !std::isfinite(process.amplitude(values)) || std::isinf(error))
+        throw std::runtime_error(
+            "the values are too large: a sum exceeds the largest number, 1.8e308; scale them down");
     std::string bar = formatted("%.6g", error);
     if (std::isnan(error)) bar = "unknown: what is left of the variance is rounding; more noise makes it larger";
     if (process.amplitude(values) == 0) bar = "unknown: the values are 0, or too small to be squared";
@@ -65,11 +66,13 @@ static std::vector<double> columns_of(const std::string& line, std::size_t numbe
     for (std::string word; words >> word;) {
         char* end = nullptr;
         columns.push_back(std::strtod(word.c_str(), &end));
-        if (end != word.c_str() + word.size() || !std::isfinite(columns.back()))
-            throw error_in(number,
-                           "'" + word + "' is not a number" +
-                               (word.find(',') == std::string::npos ? "; # begins a comment"
-                                                                    : "; blanks stand between columns, not commas"));
+        const char* problem = nullptr;
+        if (!std::isfinite(columns.back())) problem = "' is not finite";
+        if (end != word.c_str() + word.size())
+            problem = word.find(',') == std::string::npos
+                          ? "' is not a number; # begins a comment"
+                          : "' is not a number; blanks stand between columns, not commas";
+        if (problem) throw error_in(number, "'" + word + problem);
     }
     return columns;
 }
@@ -122,26 +125,26 @@ void RuleReport::add_options(Options& options) {
 }
 
 // Of five columns the fourth is z_j: with another number they are not what this report prints, and would be lost.
-static void require_z(const GaussianProcess& process, const Samples& given) {
-    for (std::size_t j = 0; given.columns == 5 && j < given.fourth.size(); ++j)
-        if (!(std::fabs(given.fourth[j] - process.z[j]) <= 1e-6 * process.z[j]))
+static Samples with_right_z(Samples given, const Covariance& covariance) {
+    const std::vector<double> z = z_of(covariance, given.directions);
+    for (std::size_t j = 0; given.columns == 5 && j < z.size(); ++j)
+        if (!(std::fabs(given.fourth[j] - z[j]) <= 1e-6 * z[j]))
             throw error_in(given.lines[j],
                            formatted("five columns should be x y z z_j weight, but %.9g is not z_j, which is %.9g with "
                                      "these options; for a value write x y z value",
-                                     given.fourth[j], process.z[j]));
+                                     given.fourth[j], z[j]));
+    return given;
 }
 
 std::string RuleReport::report() const {
-    Samples given;
-    if (directions.empty()) {
-        Random random(settings.seed, 0);
-        given.directions = place_directions(settings.placement, samples, random).directions;
-    } else {
-        given = read_file(directions, read_samples);
-    }
     const auto covariance = settings.make_covariance();
+    Random random(settings.seed, 0);
+    Samples given;
+    if (directions.empty())
+        given.directions = place_directions(settings.placement, samples, random).directions;
+    else
+        given = read_file(directions, [&](std::istream& in) { return with_right_z(read_samples(in), *covariance); });
     const GaussianProcess process(*covariance, settings.noise, given.directions);
-    require_z(process, given);
     std::string text = weights_block(process, settings.known);
     if (given.columns == 4) text += estimate_line(process, settings.known, given.fourth);
     if (!matrices) return text;

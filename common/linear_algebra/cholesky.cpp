@@ -8,8 +8,8 @@ namespace bmc {
 double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot) {
     const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(diagonal[m]);
     if (!(pivot > least))
-        throw NotPositiveDefinite(
-            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g", diagonal.size(), m, pivot));
+        throw NotPositiveDefinite(formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g",
+                                            diagonal.size(), m + 1, pivot));
     return std::sqrt(pivot);
 }
 

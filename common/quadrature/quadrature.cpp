@@ -35,7 +35,7 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool practice = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
     if (known == Known::cosine && !practice)
         throw std::invalid_argument(
-            "--known: cosine has a closed form with --covariance sobolev --smoothness 1.5 only");
+            "--known: only --covariance sobolev --smoothness 1.5 has z in closed form for it");
     if (known == Known::cosine) return std::make_shared<SobolevKnownCosine>();
     if (practice) return std::make_shared<Sobolev>();
     switch (covariance) {

@@ -39,7 +39,7 @@ void PictureRequest::add_options(Options& options) {
     options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
                  [this](const std::string& text) { set_size(settings, text); }});
     options.add("environment", "FILE", environment_help, environment);
-    options.add("exposure", "X", "brighten a PPM or BMP by X stops (default 0)", exposure, -100, 100);
+    options.add("exposure", "X", "brighten a PPM or BMP by X stops (default 0)", exposure, -200, 200);
     options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
     options.add("threads", "T", "number of threads; the picture does not change (default: all processors)",
                 settings.threads, 1, 256);
@@ -77,7 +77,7 @@ std::string PictureRequest::file(Image image) const {
 }
 
 std::string two_digits(double number) {
-    return formatted("%.0f", std::strtod(formatted("%.1e", number).c_str(), nullptr));
+    return formatted("%.9g", std::floor(std::strtod(formatted("%.1e", number).c_str(), nullptr) + 0.5));
 }
 
 void note_missed_light(const EnvironmentMap& light, std::size_t samples, const char* cure) {

@@ -29,7 +29,7 @@ struct PictureRequest : Experiment {
     std::string file(Image image) const;
 };
 
-// A number from 1 on, rounded to two digits, for a person.
+// A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
 std::string two_digits(double number);
 
 // Prints a note on what to expect of so many samples of this light where it is not known, if they miss it: the contrast

@@ -13,14 +13,14 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     const Vec3 w = place_directions(Placement::fibonacci, 1, random).directions[0];
     const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
     const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
-    CHECK(printed == Containing{formatted(": estimate %.4f, standard error %.4f, truth ", 0.5 * z / q, error)});
+    CHECK(printed == Containing{formatted(": estimate %.5g, standard error %.3g, truth ", 0.5 * z / q, error)});
     const double truth = std::stod(printed.substr(printed.find("truth ") + 6));
     CHECK(truth > 1.5);
     CHECK(truth < pi);  // the sphere hides a part of the sky, which would have pi
 
     parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
     CHECK(stderr_of([&] { belief.report(); }) ==
-          Containing{formatted(": estimate %.4f, ", 0.5 * SobolevKnownCosine().z(w.y) / q)});
+          Containing{formatted(": estimate %.5g, ", 0.5 * SobolevKnownCosine().z(w.y) / q)});
 
     REQUIRE(picture.size() == header.size() + 3 * 800 * 200);
     const auto byte = [&](int x, int y) {

@@ -66,8 +66,8 @@ TEST_CASE("a matrix that is not positive definite is refused, with its size and 
     Matrix a(2, 2);
     a(0, 0) = 4;
     a(0, 1) = a(1, 0) = 2;
-    a(1, 1) = 1;  // pivot 1 is exactly 0
-    CHECK(refusal(a) == "the matrix of 2 rows is not positive definite: pivot 1 is 0");
+    a(1, 1) = 1;  // the second pivot is exactly 0
+    CHECK(refusal(a) == "the matrix of 2 rows is not positive definite: pivot 2 is 0");
     a(1, 1) = 1 + 2 * DBL_EPSILON;  // a pivot of two roundings of its diagonal element
     CHECK_THROWS_AS(Cholesky{a}, NotPositiveDefinite);
     a(1, 1) = 1 + 3 * DBL_EPSILON;
@@ -76,7 +76,7 @@ TEST_CASE("a matrix that is not positive definite is refused, with its size and 
         for (const double element : {-1.0, nan_value}) {
             Matrix b = well_conditioned(9);
             b(k, k) = element;
-            CHECK(refusal(b) == Containing{formatted("pivot %zu is", k)});
+            CHECK(refusal(b) == Containing{formatted("pivot %zu is", k + 1)});
         }
     for (const std::size_t rows : {2u, 4u}) CHECK_THROWS_AS(Cholesky(Matrix(rows, 3)), std::invalid_argument);
     CHECK_THROWS_AS(Cholesky(a).solve({1}), std::invalid_argument);

@@ -7,14 +7,14 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture"
     const RenderSettings& s = request.settings;
     CHECK(s.threads >= 1);
     check_ranges(request.options(),
-                 {"--size=8192", "--size=5x6", "--samples=1000000", "--pool=1000", "--threads=256", "--exposure=100",
-                  "--exposure=-100", "--method=rotated", "--environment=a.hdr", "--format=pfm", "--noise=0.5"},
+                 {"--size=8192", "--size=5x6", "--samples=1000000", "--pool=1000", "--threads=256", "--exposure=200",
+                  "--exposure=-200", "--method=rotated", "--environment=a.hdr", "--format=pfm", "--noise=0.5"},
                  {"--size=8193", "--size=5x", "--size=x5", "--size=5x5x5", "--size=0", "--size=5x8193",
-                  "--samples=1000001", "--pool=1001", "--threads=257", "--exposure=100.1", "--exposure=-100.1"});
+                  "--samples=1000001", "--pool=1001", "--threads=257", "--exposure=200.1", "--exposure=-200.1"});
     CHECK(s.method == Method::rotated);
     CHECK(std::vector{s.samples, s.pool} == std::vector<std::size_t>{1000000, 1000});
     CHECK(Numbers{s.width + 0.0, s.height + 0.0, static_cast<double>(s.threads)} == Numbers{5, 6, 256});
-    CHECK(Numbers{s.noise, request.exposure} == Numbers{0.5, -100});
+    CHECK(Numbers{s.noise, request.exposure} == Numbers{0.5, -200});
     CHECK(request.environment == "a.hdr");
     CHECK(request.format == Format::pfm);
     parse({"--size=7"}, request.options());
@@ -94,9 +94,9 @@ TEST_CASE("the defaults give no warning at any number of samples and placement")
             }
 }
 
-TEST_CASE("numbers for people have two digits and no exponent") {
+TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
     for (const auto& [number, text] :
-         {std::pair(1.0, "1"), {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}})
+         {std::pair(1.0, "1"), {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}, {2.04e79, "2e+79"}})
         CHECK(two_digits(number) == text);
 }
 

@@ -34,8 +34,10 @@ static void refused(const std::string& content, const std::string& reason) {
 
 TEST_CASE("a line that is no direction is named, with what is wrong and what to do") {
     refused("0 1 0\n\n0 1 x\n", "line 3: 'x' is not a number; # begins a comment");
-    for (const char* word : {"nan", "inf", "1e400", "1x", "0x"})
-        refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not a number", word));
+    for (const char* word : {"1x", "0x"})
+        refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not a number; # begins a comment", word));
+    for (const char* word : {"nan", "inf", "1e400"})
+        refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not finite", word));
     refused("x y z value\n0 1 0 1\n", "line 1: 'x' is not a number; # begins a comment");
     refused("0,1,0\n", "line 1: '0,1,0' is not a number; blanks stand between columns, not commas");
     refused("0 1 0 abc 2\n", "line 1: 'abc' is not a number");
@@ -117,8 +119,11 @@ TEST_CASE("an estimate that is too large fails, and an error bar that is only ro
     CHECK(rule_report("0 1 0 5e-324\n") == Containing{"standard error 1.97626e-323"});
     CHECK(rule_report("0 1 0 5e-324\n", {"--noise=100"}) ==
           Containing{"standard error unknown: the values are 0, or too small"});
-    CHECK_THROWS_WITH(rule_report("0 1 0 1e308\n0.6 0.8 0 1e308\n0 0.8 0.6 1e308\n"),
-                      "the estimate exceeds the largest number, 1.8e308; scale the values down");
+    CHECK(rule_report("0 1 0 4.3e307\n") == Containing{"estimate 1.746"});
+    for (const std::string& values : {"0 1 0 1e308\n0.6 0.8 0 1e308\n0 0.8 0.6 1e308\n",  // the estimate, or its bar
+                                      "1 0 0 7e307\n-1 0 0 -7e307\n"})
+        CHECK_THROWS_WITH(rule_report(values),
+                          "the values are too large: a sum exceeds the largest number, 1.8e308; scale them down");
 }
 
 TEST_CASE("directions are drawn from stream 0 if no file is given") {

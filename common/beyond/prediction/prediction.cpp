@@ -116,7 +116,7 @@ Prediction samples_for(double target, std::size_t most, const EnvironmentLight& 
         settings.samples = static_cast<std::size_t>(samples);
         return Prediction{samples, pilot_rmse(light, settings, rays)};
     };
-    Prediction last = predict(2), next = last;
+    Prediction last = predict(1), next = last;
     // Errors at the edges of shadows fall like the power -3/4 of the samples; twice that excludes what no rule reaches.
     const auto in_reach = [&] { return next.rmse * portable::pow(next.samples / limit, 1.5) <= target; };
     while (next.rmse > target && next.samples < limit && in_reach()) {

@@ -40,7 +40,7 @@ struct Prediction {
     double rmse;
 };
 
-// The fewest samples, at least 2, whose predicted RMSE is at most the target. Pilots double the samples, and then
+// The fewest samples, at least 1, whose predicted RMSE is at most the target. Pilots double the samples, and then
 // follow the power between the last two. If `most` samples do not suffice, it is about the number that would, with the
 // target.
 //
