@@ -55,6 +55,13 @@ TEST_CASE("a direction is shadowed where a ray meets the other object") {
     }
 }
 
+// In the scene itself no ray has the sphere behind it and its line through the sphere.
+TEST_CASE("a sphere shadows in front of a ray, not behind it") {
+    const Sphere sphere{{0, 0, -5}, 2, {}};
+    CHECK(is_shadowed_by(sphere, {}, {0, 0, -1}));
+    CHECK(!is_shadowed_by(sphere, {}, {0, 0, 1}));
+}
+
 TEST_CASE("a rectangle shadows what is below and what is above, up to its edges") {
     for (const double side : {-1.0, 1.0}) {
         const auto covers = [&](Vec3 to) { return is_shadowed_by(plate, {1, -2 + 2 * side, -5}, normalize(to)); };
