@@ -35,10 +35,10 @@ static double checked(const char* what, double value, double low, double high) {
 }
 
 GeneralSobolev::GeneralSobolev(double s)
-    : exponent_(checked("smoothness", s, min_smoothness, max_smoothness) - 1),
-      constant_(portable::pow(2, 2 * s - 1) / s),
-      zz_(Covariance::zz()) {}
+    : exponent(checked("smoothness", s, min_smoothness, max_smoothness) - 1),
+      constant(portable::pow(2, 2 * s - 1) / s),
+      zz_value(Covariance::zz()) {}
 
 SquaredExponential::SquaredExponential(double l)
-    : kappa_(1 / (l * checked("length-scale", l, min_length_scale, max_length_scale))), zz_(Covariance::zz()) {}
+    : kappa(1 / (l * checked("length-scale", l, min_length_scale, max_length_scale))), zz_value(Covariance::zz()) {}
 }  // namespace bmc

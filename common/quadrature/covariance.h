@@ -13,8 +13,7 @@
 
 namespace bmc {
 // A covariance only has to define k and M. ModelSettings::make_covariance chooses one of the classes below.
-class Covariance {
-public:
+struct Covariance {
     virtual ~Covariance() = default;
 
     // k of a squared chord, in [0, 4].
@@ -34,8 +33,7 @@ public:
 
 // The covariance of the practice, Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3.
 // Its functions are continuous but rough, so sharp edges in the light fit the model.
-class Sobolev : public Covariance {
-public:
+struct Sobolev : Covariance {
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
     double cap_mean(double height) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * height); }
     double z(double cos_theta) const override { return sobolev_z(cos_theta); }
@@ -43,8 +41,7 @@ public:
 };
 
 // The same with the known part p = cos(theta).
-class SobolevKnownCosine final : public Sobolev {
-public:
+struct SobolevKnownCosine final : Sobolev {
     double z(double cos_theta) const override { return sobolev_cosine_z(cos_theta); }
     double zz() const override { return sobolev_cosine_zz; }
     Known known() const override { return Known::cosine; }
@@ -53,35 +50,29 @@ public:
 // Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
 // Womersley, "QMC designs", Mathematics of Computation 2014).
 constexpr double min_smoothness = 1.001, max_smoothness = 1.999;
-class GeneralSobolev final : public Covariance {
-public:
+struct GeneralSobolev final : Covariance {
+    const double exponent, constant, zz_value;  // s - 1, C, and zz, computed once
+
     explicit GeneralSobolev(double smoothness);  // throws std::invalid_argument for one outside of this range
 
-    double k(double squared_chord) const override { return constant_ - portable::pow(squared_chord, exponent_); }
+    double k(double squared_chord) const override { return constant - portable::pow(squared_chord, exponent); }
     double cap_mean(double height) const override {
-        return constant_ - portable::pow(2 * height, exponent_) / (exponent_ + 1);
+        return constant - portable::pow(2 * height, exponent) / (exponent + 1);
     }
-    double zz() const override { return zz_; }
-
-private:
-    double exponent_, constant_;  // s - 1 and C
-    double zz_;                   // computed once, in the constructor
+    double zz() const override { return zz_value; }
 };
 
 // k(r) = exp(-r^2 / 2 l^2) of length-scale l. Its functions have all derivatives. Below 0.05, e^(-1 / l^2) comes close
 // to underflow; above 1e6, k is 1 for all directions.
 constexpr double min_length_scale = 0.05, max_length_scale = 1e6;
-class SquaredExponential final : public Covariance {
-public:
+struct SquaredExponential final : Covariance {
+    const double kappa, zz_value;  // 1 / l^2, and zz, computed once
+
     explicit SquaredExponential(double length_scale);  // throws std::invalid_argument for one outside of this range
 
-    double k(double squared_chord) const override { return portable::exp(-0.5 * kappa_ * squared_chord); }
-    double cap_mean(double height) const override { return exponential_mean(kappa_ * height); }
-    double z(double cos_theta) const override { return squared_exponential_z(cos_theta, kappa_); }
-    double zz() const override { return zz_; }
-
-private:
-    double kappa_;  // 1 / l^2
-    double zz_;     // computed once, in the constructor
+    double k(double squared_chord) const override { return portable::exp(-0.5 * kappa * squared_chord); }
+    double cap_mean(double height) const override { return exponential_mean(kappa * height); }
+    double z(double cos_theta) const override { return squared_exponential_z(cos_theta, kappa); }
+    double zz() const override { return zz_value; }
 };
 }  // namespace bmc
