@@ -7,10 +7,10 @@
 
 namespace bmc {
 static std::string matrix_block(const char* name, const Matrix& matrix) {
-    std::string text = formatted("\n\n# %s, %zu x %zu\n", name, matrix.rows(), matrix.columns());
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
-        for (std::size_t j = 0; j < matrix.columns(); ++j)
-            text += formatted("%16.9g", matrix(i, j)) + (j + 1 < matrix.columns() ? " " : "\n");
+    std::string text = formatted("\n\n# %s, %zu x %zu\n", name, matrix.rows, matrix.columns);
+    for (std::size_t i = 0; i < matrix.rows; ++i)
+        for (std::size_t j = 0; j < matrix.columns; ++j)
+            text += formatted("%16.9g", matrix(i, j)) + (j + 1 < matrix.columns ? " " : "\n");
     return text;
 }
 

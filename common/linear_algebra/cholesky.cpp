@@ -17,7 +17,7 @@ double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double 
 // As soon as row m of U is known, its products u_mi u_mj are subtracted from all rows i below: each row has then had
 // its sum subtracted when its turn comes. The innermost loop runs along a row. U takes the place of A.
 static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
-    const std::size_t n = a.rows();
+    const std::size_t n = a.rows;
     Matrix u = std::move(a);
     for (std::size_t m = 0; m < n; ++m) {
         u(m, m) = root_of_pivot(diagonal, m, u(m, m));
@@ -33,9 +33,9 @@ static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
 // END SOLUTION
 
 static Matrix checked_factor(Matrix a) {
-    if (a.rows() != a.columns()) throw std::invalid_argument("cholesky: the matrix must be square");
+    if (a.rows != a.columns) throw std::invalid_argument("cholesky: the matrix must be square");
     std::vector<double> diagonal;
-    for (std::size_t m = 0; m < a.rows(); ++m) diagonal.push_back(a(m, m));
+    for (std::size_t m = 0; m < a.rows; ++m) diagonal.push_back(a(m, m));
     return upper_factor(std::move(a), diagonal);
 }
 

@@ -26,7 +26,7 @@ struct Cholesky {
     // Factors the symmetric n x n matrix A. Throws std::invalid_argument if it is not square, and NotPositiveDefinite.
     explicit Cholesky(Matrix a);
 
-    std::size_t size() const { return upper.rows(); }
+    std::size_t size() const { return upper.rows; }
 
     // y with U^T y = b, so that |y|^2 = b^T A^-1 b. b has n elements.
     std::vector<double> forward_substitution(std::vector<double> b) const;

@@ -7,19 +7,14 @@
 #include <vector>
 
 namespace bmc {
-class Matrix {
-public:
-    // A rows x columns matrix of zeros.
-    Matrix(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns), elements_(rows * columns) {}
+struct Matrix {
+    std::size_t rows, columns;
+    std::vector<double> elements;
 
-    std::size_t rows() const { return rows_; }
-    std::size_t columns() const { return columns_; }
+    // An m x n matrix of zeros.
+    Matrix(std::size_t m, std::size_t n) : rows(m), columns(n), elements(m * n) {}
 
-    double& operator()(std::size_t i, std::size_t j) { return elements_[i * columns_ + j]; }
-    double operator()(std::size_t i, std::size_t j) const { return elements_[i * columns_ + j]; }
-
-private:
-    std::size_t rows_, columns_;
-    std::vector<double> elements_;
+    double& operator()(std::size_t i, std::size_t j) { return elements[i * columns + j]; }
+    double operator()(std::size_t i, std::size_t j) const { return elements[i * columns + j]; }
 };
 }  // namespace bmc

@@ -81,13 +81,13 @@ void numbers(const std::string& what, const Numbers& of, double tolerance, const
 // Large ones: the first and the last row, the diagonal, and a sum.
 void matrix(const std::string& name, const Matrix& m, double tolerance, const Mistakes& mistakes = {}) {
     double scale = 0, sum = 0;
-    count("elements of " + name, m.rows() * m.columns());
-    for (std::size_t i = 0; i < m.rows(); ++i)
-        for (std::size_t j = 0; j < m.columns(); ++j) scale = std::max(scale, std::fabs(m(i, j)));
-    for (std::size_t i = 0; i < m.rows(); ++i)
-        for (std::size_t j = 0; j < m.columns(); ++j) {
+    count("elements of " + name, m.rows * m.columns);
+    for (std::size_t i = 0; i < m.rows; ++i)
+        for (std::size_t j = 0; j < m.columns; ++j) scale = std::max(scale, std::fabs(m(i, j)));
+    for (std::size_t i = 0; i < m.rows; ++i)
+        for (std::size_t j = 0; j < m.columns; ++j) {
             sum += m(i, j) * m(i, j);
-            if (m.rows() < 10 || i == 0 || i + 1 == m.rows() || i == j)
+            if (m.rows < 10 || i == 0 || i + 1 == m.rows || i == j)
                 value(name + formatted(name.back() == ',' ? " (%zu, %zu)" : "(%zu, %zu)", i, j), m(i, j), tolerance,
                       scale, i == j ? Mistakes{} : mistakes);
         }
@@ -158,7 +158,7 @@ void covariance_matrix_values() {
         const Covariance& k = model.covariance;
         const std::size_t n = w.size();
         const Matrix q = covariance_matrix(k, model.noise, w);
-        count("elements", q.rows() * q.columns());
+        count("elements", q.rows * q.columns);
         double sum = 0;
         for (std::size_t i = 0; i < n; ++i)
             for (std::size_t j = 0; j < n; ++j) {
@@ -199,10 +199,10 @@ Matrix positive_matrix(std::size_t n, double least) {
 
 // a^T b
 Matrix transposed_times(const Matrix& a, const Matrix& b) {
-    Matrix product(a.columns(), b.columns());
-    for (std::size_t l = 0; l < std::min(a.rows(), b.rows()); ++l)
-        for (std::size_t i = 0; i < a.columns(); ++i)
-            for (std::size_t j = 0; j < b.columns(); ++j) product(i, j) += a(l, i) * b(l, j);
+    Matrix product(a.columns, b.columns);
+    for (std::size_t l = 0; l < std::min(a.rows, b.rows); ++l)
+        for (std::size_t i = 0; i < a.columns; ++i)
+            for (std::size_t j = 0; j < b.columns; ++j) product(i, j) += a(l, i) * b(l, j);
     return product;
 }
 
@@ -217,7 +217,7 @@ void upper_factor_values() {
     for_each_positive_matrix([](const Matrix& a, double tolerance) {
         const Matrix u = Cholesky(a).upper;
         double below = 0;
-        for (std::size_t i = 1; i < u.rows(); ++i)
+        for (std::size_t i = 1; i < u.rows; ++i)
             for (std::size_t j = 0; j < i; ++j) below = std::max(below, std::fabs(u(i, j)));
         value("the largest absolute value below the diagonal of U", below, 0);
         matrix("U^T U, which should be A,", transposed_times(u, u), 1e-11);

@@ -5,11 +5,11 @@
 // |a b - c|, the largest sum of absolute values in a row: the norm that the maximum norm of vectors induces.
 static double distance(const Matrix& a, const Matrix& b, const Matrix& c) {
     double largest = 0;
-    for (std::size_t i = 0; i < a.rows(); ++i) {
+    for (std::size_t i = 0; i < a.rows; ++i) {
         double sum = 0;
-        for (std::size_t j = 0; j < b.columns(); ++j) {
+        for (std::size_t j = 0; j < b.columns; ++j) {
             double element = -c(i, j);
-            for (std::size_t k = 0; k < b.rows(); ++k) element += a(i, k) * b(k, j);
+            for (std::size_t k = 0; k < b.rows; ++k) element += a(i, k) * b(k, j);
             sum += std::fabs(element);
         }
         largest = std::max(largest, sum);
@@ -33,7 +33,7 @@ TEST_CASE("U^T U = A, A x = b, A A^-1 = I and |y|^2 = b^T A^-1 b but for a few r
         matrices.push_back(nearly_singular(n, matrices.size()));
     }
     for (const Matrix& a : matrices) {
-        const std::size_t n = a.rows();
+        const std::size_t n = a.rows;
         const Cholesky cholesky(a);
         const Matrix inverse = cholesky.inverse(), zero(n, n);
         Matrix identity(n, n), lower(n, n), b(n, 1), x(n, 1);
