@@ -8,7 +8,7 @@ TEST_CASE("the sun has half of its share of the samples, the sky the rest, each 
     const EnvironmentLight sunny(map, true, 1), dim(even, true, 1);
     for (const std::size_t samples : {1u, 2u, 5u, 10u, 40u}) {
         CAPTURE(samples);
-        const double half = 0.5 * sunny.averages->sun().share() * static_cast<double>(samples);
+        const double half = 0.5 * sunny.averages->sun.share() * static_cast<double>(samples);
         const std::size_t rays = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(half)));
         CHECK(share_out(sunny, samples).sun == rays);
         CHECK(share_out(sunny, samples).sky == std::max(samples, rays + 1) - rays);

@@ -1,5 +1,4 @@
 #include "beyond/known_light/sun.h"
-#include "light/texels_on_sphere.h"
 #include "test.h"
 
 using namespace bmc::beyond;

@@ -2,8 +2,8 @@
 
 namespace bmc::beyond {
 SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
-    if (!light.averages || light.averages->sun().empty()) return {samples, 0};
-    const double rays = 0.5 * light.averages->sun().share() * static_cast<double>(samples);
+    if (!light.averages || light.averages->sun.empty()) return {samples, 0};
+    const double rays = 0.5 * light.averages->sun.share() * static_cast<double>(samples);
     const std::size_t sun = std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
     return {samples > sun ? samples - sun : 1, sun};
 }
@@ -36,9 +36,9 @@ Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
         Random random = pixel_stream(rules.settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         const Color sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
-        const Color sun = sample_sun(sphere_scene, light.sun(), hit, samples.sun, random).fraction();
+        const Color sun = sample_sun(sphere_scene, light.sun, hit, samples.sun, random).fraction();
         return 1 / portable::pi *
-               (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun().irradiance(hit.normal) * sun));
+               (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun.irradiance(hit.normal) * sun));
     };
 }
 

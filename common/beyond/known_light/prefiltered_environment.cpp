@@ -1,21 +1,18 @@
 #include "beyond/known_light/prefiltered_environment.h"
 
-#include "light/texels_on_sphere.h"
 #include "numerics/work.h"
 #include "quadrature/hemisphere.h"
 
 #include <stdexcept>
 
 namespace bmc::beyond {
-namespace {
-
 using portable::pi;
 
 constexpr std::size_t lookups = 32;  // per mean
 
 // Directions spread evenly over the inner three quarters of a cap around the up axis. The smaller caps around them
 // reach to the cap's edge.
-std::vector<Vec3> cap_directions(double solid_angle) {
+static std::vector<Vec3> cap_directions(double solid_angle) {
     const double depth = 0.75 * solid_angle / (2 * pi);  // 1 minus the cosine of the radius
     std::vector<Vec3> directions;
     for (const Vec3& direction : fibonacci_directions(lookups)) {
@@ -29,10 +26,10 @@ std::vector<Vec3> cap_directions(double solid_angle) {
 constexpr int light_columns = 96, light_rows = 48;  // of the cells that light is gathered in
 
 // The part, of `parts` equal ones, that texel i of n lies in.
-std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
+static std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
 
 // The integral of L omega d omega for each cell and each colour.
-std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
+static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < texels.columns; ++i) azimuths.push_back(texels.azimuth(i + 0.5));
@@ -53,7 +50,7 @@ std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
 
 // E(n) is the sum of max(n . F, 0) over the fluxes F, at the corners of the table's cells. Only cells of light that are
 // cut by n's horizon are underestimated.
-EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t threads) {
+static EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t threads) {
     constexpr int columns = 128, rows = 64;
     EnvironmentMap table(columns + 1, rows + 1);
     const std::vector<Vec3> flux = fluxes(environment);
@@ -79,7 +76,7 @@ EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t t
 }
 
 // Beyond 1e36 integrals would exceed the largest float.
-const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
+static const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
     for (int i = 1; i <= map.width * map.height; ++i)
         if (dot(map.color(i), {1, 1, 1}) > 1e36)
             throw std::runtime_error("this light is too bright to be known: a radiance exceeds 1e36");
@@ -88,7 +85,7 @@ const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
 
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
 // lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
-EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Color everywhere, std::size_t threads) {
+static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Color everywhere, std::size_t threads) {
     const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
     const std::vector<Vec3> local = cap_directions(solid_angle);
     EnvironmentMap means(columns + 1, rows + 1);
@@ -107,10 +104,8 @@ EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Color ev
     return means;
 }
 
-}  // namespace
-
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
-    : sun_(not_too_bright(map)), tables_{{0, sun_.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
+    : sun(not_too_bright(map)), tables_{{0, sun.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
     const TexelsOnSphere texels(*tables_[0].means, 256, 128);
     tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
     Color everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));

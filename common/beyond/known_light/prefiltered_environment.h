@@ -6,13 +6,11 @@
 #include "beyond/known_light/sun.h"
 
 namespace bmc::beyond {
-class PrefilteredEnvironment {
-public:
+struct PrefilteredEnvironment {
+    const Sun sun;  // has no part in the means over caps
+
     // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
     explicit PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads = 1);
-
-    // The sun has no part in the caps' means.
-    const Sun& sun() const { return sun_; }
 
     // The table whose caps are nearest in size, by ratio, to this solid angle > 0. There are tables for pi, pi / 4,
     // ..., until a cap is ten texels wide, and below that the map itself. A millionth of the mean over all directions
@@ -33,7 +31,6 @@ private:
         std::shared_ptr<const EnvironmentMap> means;
     };
 
-    const Sun sun_;
     std::vector<Table> tables_;  // the smallest caps first, which are the texels of the sky
     const EnvironmentMap irradiance_;
 };

@@ -1,7 +1,5 @@
 #include "beyond/known_light/sun.h"
 
-#include "light/texels_on_sphere.h"
-
 namespace bmc::beyond {
 // The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
 // order are a compact piece of the map, so the edge of a shadow crosses few of the rays' strata.
@@ -13,15 +11,14 @@ static std::uint64_t z_order(int row, int column) {
 }
 
 Sun::Sun(const EnvironmentMap& map, double threshold)
-    : map_(map), all_(4 * portable::pi * mean_over_directions(map, brightness)) {
-    const TexelsOnSphere texels(map);
+    : whole_(map), all_(4 * portable::pi * mean_over_directions(map, brightness)) {
     const double least = threshold * all_ / (4 * portable::pi);
-    for (int row = 0; row < texels.rows; ++row)
-        for (int column = 0; column < texels.columns; ++column) {
-            const Color light = texels(row, column);
+    for (int row = 0; row < whole_.rows; ++row)
+        for (int column = 0; column < whole_.columns; ++column) {
+            const Color light = whole_(row, column);
             if (!(brightness(light) > least)) continue;
             texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
-                               texels.solid_angle(row) * brightness(light)});
+                               whole_.solid_angle(row) * brightness(light)});
         }
     std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
     for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
@@ -38,11 +35,10 @@ Sun::Ray Sun::ray(double across, double down) const {
     const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
                                         [](double light, const Texel& each) { return light < each.light; });
     const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
-    const TexelsOnSphere texels(map_);
-    const double top = texels.polar(texel->row).cosine, bottom = texels.polar(texel->row + 1).cosine;
+    const double top = whole_.polar(texel->row).cosine, bottom = whole_.polar(texel->row + 1).cosine;
     const double cosine = top + down * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
     const double right = (before - left) / (texel->light - left);
-    return {direction_of({sine, cosine}, texels.azimuth(texel->column + right)), texel->colour};
+    return {direction_of({sine, cosine}, whole_.azimuth(texel->column + right)), texel->colour};
 }
 
 Color Sun::irradiance(Vec3 normal) const {
@@ -52,8 +48,8 @@ Color Sun::irradiance(Vec3 normal) const {
 }
 
 std::shared_ptr<const EnvironmentMap> Sun::sky() const {
-    if (empty()) return {std::shared_ptr<void>(), &map_};
-    const auto sky = std::make_shared<EnvironmentMap>(map_);
+    if (empty()) return {std::shared_ptr<void>(), &whole_.map};
+    const auto sky = std::make_shared<EnvironmentMap>(whole_.map);
     for (const Texel& texel : texels_) sky->set(texel.column, texel.row, {});
     return sky;
 }

@@ -3,7 +3,7 @@
 // Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 #pragma once
 
-#include "light/environment.h"
+#include "light/texels_on_sphere.h"
 #include "numerics/random.h"
 #include "scene/scene.h"
 
@@ -53,7 +53,7 @@ private:
         double light;  // of this texel and those before it
     };
 
-    const EnvironmentMap& map_;
+    const TexelsOnSphere whole_;  // the map
     double all_;
     std::vector<Texel> texels_;
     std::vector<Ray> rays_;  // with their share of the light

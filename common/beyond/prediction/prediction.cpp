@@ -1,8 +1,5 @@
 #include "beyond/prediction/prediction.h"
 
-#include "light/texels_on_sphere.h"
-#include "numerics/work.h"
-
 #include <numeric>
 
 namespace bmc::beyond {
