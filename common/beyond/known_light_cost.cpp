@@ -11,11 +11,6 @@ static PictureCost picture_of_known(const EnvironmentLight& light, Method method
     return compared;
 }
 
-Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings, std::size_t samples) {
-    settings.samples = samples;
-    return render(environment, settings, shader_with_sun(environment, settings, samples));
-}
-
 double coverage(const Image& image, const Image& truth, const Image& predicted) {
     double within = 0, all = 0;
     for_each_hit(sphere_scene, {image.width, image.height}, [&](int x, int y, const Hit&) {
@@ -37,9 +32,9 @@ std::string KnownLightReport::report() const {
     Progress progress(static_cast<double>(names.size()));
     for (const std::string& name : names) {
         const EnvironmentMap map = load_environment(name);
-        const RenderSettings settings = row_settings(costs, {}, 0);
-        const EnvironmentLight light(map, true, settings.threads), unknown(map, false, settings.threads);
-        const Image truth = truth_with_sun(map, settings, 10000);
+        const RenderSettings dense = row_settings(costs, {}, 10000);
+        const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
+        const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
         const std::vector<PictureCost> compared{
             compared_picture(map, Method::mc, 1, Placement::uniform),
             compared_picture(map, Method::pool, 20, Placement::uniform),

@@ -5,10 +5,6 @@
 #include "experiments/picture_cost.h"
 
 namespace bmc::beyond {
-// The picture by this number of directions on a lattice and the same number of rays to bright texels (sun.h). Nothing
-// is from a table of the light. Size, seed and threads are those of the settings.
-Image truth_with_sun(const EnvironmentMap& environment, RenderSettings settings, std::size_t samples);
-
 // The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
 double coverage(const Image& image, const Image& truth, const Image& predicted);
 

@@ -36,13 +36,6 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
     return settings;
 }
 
-Image reference_image(const EnvironmentMap& light, RenderSettings settings, std::size_t samples) {
-    settings.method = Method::mc;
-    settings.placement = Placement::cosine_fibonacci;
-    settings.samples = samples;
-    return picture(light, settings);
-}
-
 ImageError image_error(const Image& image, const Image& truth) {
     const Camera camera{image.width, image.height};
     double count = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;

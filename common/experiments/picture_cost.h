@@ -15,9 +15,6 @@ struct CostSettings {
 // size, seed, no-times.
 void add_cost_options(Options& options, CostSettings& costs);
 
-// The picture by this number of directions on a lattice. Size, seed and threads are those of the settings.
-Image reference_image(const EnvironmentMap& light, RenderSettings settings, std::size_t samples);
-
 // The error of an image, over the pixels that show an object.
 struct ImageError {
     double rmse;         // of linear radiance, all channels

@@ -10,6 +10,11 @@ TEST_CASE("coverage counts the errors of at most two predicted ones, colour by c
     CHECK(relative(coverage(image, Image(40, 40), predicted), 2.0 / 3) < 1e-15);
 }
 
+static Image truth_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t samples) {
+    settings.samples = samples;
+    return render(map, settings, shader_with_sun(map, settings, samples));
+}
+
 // Of the 200,000 directions 200 meet the sun.
 TEST_CASE("the dense truth under a sun agrees with a picture by many directions") {
     RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
