@@ -25,14 +25,6 @@ void Options::add(Option option) {
     all.push_back(std::move(option));
 }
 
-void Options::add(const char* name, const char* argument, const std::string& description, std::string& text) {
-    add({name, argument, description, [&text](const std::string& value) { text = value; }});
-}
-
-void Options::add(const char* name, const char* description, bool& given) {
-    add({name, "", description, [&given](const std::string&) { given = true; }});
-}
-
 // "mc, direct or pool".
 static std::string listed(const std::vector<std::string>& names) {
     std::string text;
@@ -82,7 +74,7 @@ static void apply(const Option& option, int found, const std::string& value, boo
     }
 }
 
-Arguments parse_options(int argc, char** argv, const Options& options) {
+std::set<std::string> parse_options(int argc, char** argv, const Options& options) {
     constexpr int first = 256;  // above all letters
     std::vector<option> table;
     for (const Option& each : options.all)
@@ -90,16 +82,15 @@ Arguments parse_options(int argc, char** argv, const Options& options) {
                          first + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
-    Arguments arguments;
+    std::set<std::string> given;
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         const char* const word = argv[optind - 1];
         if (found == '?' && optopt < first) throw std::invalid_argument(refusal(word, optopt, options));
         const Option& chosen = options.all[static_cast<std::size_t>((found < first ? optopt : found) - first)];
         apply(chosen, found, optarg ? optarg : "", optarg == word);
-        arguments.options.insert(chosen.name);
+        given.insert(chosen.name);
     }
-    arguments.rest.assign(argv + (optind < argc ? optind : argc), argv + argc);  // argc may be 0
-    return arguments;
+    return given;
 }
 
 std::string describe(const Options& options) {
@@ -113,14 +104,14 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     bool help = false;
     Options options = command.experiment->options();
     options.add("help", "print this text", help);
-    const Arguments given = parse_options(argc, argv, options);
+    const std::set<std::string> given = parse_options(argc, argv, options);
     if (help) return usage + '\n' + describe(options);
-    if (!given.rest.empty()) throw std::invalid_argument("unexpected argument '" + given.rest[0] + "'; try --help");
+    if (optind < argc) throw std::invalid_argument(formatted("unexpected argument '%s'; try --help", argv[optind]));
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
     for (const Option& each : command.experiment->options().all)
-        if (!each.idle_with.empty() && given.options.count(each.name) > 0)
+        if (!each.idle_with.empty() && given.count(each.name) > 0)
             print_note("note: --" + each.name + " changes nothing with " + each.idle_with);
     return command.experiment->report();
 }

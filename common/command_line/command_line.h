@@ -48,8 +48,12 @@ struct Options {
     void add(Option option);
 
     // Adds one that sets a text, a switch, a number from low to high, or a value that has a name.
-    void add(const char* name, const char* argument, const std::string& description, std::string& text);
-    void add(const char* name, const char* description, bool& given);
+    void add(const char* name, const char* argument, const std::string& description, std::string& text) {
+        add({name, argument, description, [&text](const std::string& value) { text = value; }});
+    }
+    void add(const char* name, const char* description, bool& given) {
+        add({name, "", description, [&given](const std::string&) { given = true; }});
+    }
     template <class Number>
     void add(const char* name, const char* argument, const char* description, Number& number,
              std::common_type_t<Number> low, std::common_type_t<Number> high) {
@@ -87,14 +91,9 @@ struct Command {
     std::string file = "";  // what its output goes to, if it is no text for a terminal
 };
 
-// The names of the options in argv, and the arguments that no option takes.
-struct Arguments {
-    std::set<std::string> options;
-    std::vector<std::string> rest;
-};
-
-// Applies the options in argv. Throws std::invalid_argument that names the option.
-Arguments parse_options(int argc, char** argv, const Options& options);
+// Applies the options in argv, and returns their names. Throws std::invalid_argument that names the option. Arguments
+// that no option takes stand behind the others from optind on (getopt_long).
+std::set<std::string> parse_options(int argc, char** argv, const Options& options);
 
 // A line for each option, for a help text.
 std::string describe(const Options& options);

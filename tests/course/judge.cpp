@@ -180,18 +180,19 @@ std::string run(int argc, char** argv, int& status) {
     bool help = false;
     Options options = request.options();
     options.add("help", "prints this text", help);
-    const std::vector<std::string> files = parse_options(argc, argv, options).rest;
+    parse_options(argc, argv, options);
     if (help)
         return "usage: build/judge PICTURE [options]     a PPM or PFM of the sphere scene\n\n"
                "The options say how the picture was made; --size, --format and --seed do not count.\n\n" +
                describe(options);
-    if (files.size() != 1) throw std::invalid_argument("name one picture, as in build/judge out.ppm --method direct");
+    if (argc - optind != 1) throw std::invalid_argument("name one picture, as in build/judge out.ppm --method direct");
     request.require_possible();
+    const std::string file = argv[optind];
     const EnvironmentMap light = load_environment(request.environment, request.settings.threads);
-    const std::string text = differences(files[0], light, request);
-    if (text.empty()) return files[0] + ": right, as far as a picture shows\n";
+    const std::string text = differences(file, light, request);
+    if (text.empty()) return file + ": right, as far as a picture shows\n";
     status = 1;
-    return files[0] + ": differs from correct pictures\n" + text;
+    return file + ": differs from correct pictures\n" + text;
 }
 
 }  // namespace

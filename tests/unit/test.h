@@ -109,7 +109,10 @@ auto with_arguments(std::vector<std::string> words, Function f) {
 
 // Lets the options take what stands in these arguments, and returns what they leave.
 inline std::vector<std::string> parse(const std::vector<std::string>& words, const Options& options) {
-    return with_arguments(words, [&](int argc, char** argv) { return parse_options(argc, argv, options).rest; });
+    return with_arguments(words, [&](int argc, char** argv) {
+        parse_options(argc, argv, options);
+        return std::vector<std::string>(argv + optind, argv + argc);
+    });
 }
 
 // Whether options take the words of one list and refuse those of the other.
