@@ -1,6 +1,5 @@
 #include "light/load_environment.h"
 
-#include "light/radiance_hdr.h"
 #include "numerics/input.h"
 #include "numerics/work.h"
 

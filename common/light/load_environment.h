@@ -1,8 +1,9 @@
-// The choice between the built-in lights and a light from a file.
+// The choice between the built-in lights and a light from a file, and what such a file is.
 #pragma once
 
 #include "light/environment.h"
 
+#include <iosfwd>
 #include <string>
 
 namespace bmc {
@@ -13,6 +14,13 @@ namespace bmc {
 // - black-and-white: the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
 constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
 EnvironmentMap built_in_light(std::size_t number, std::size_t threads = 1);
+
+// Reads a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
+// radiance = mantissa * 2^(exponent - 136), exactly, over the product of the EXPOSURE and COLORCORR lines. Scanlines
+// may be flat or run-length coded, but not in the way of before 1991; the resolution line must be "-Y height +X width".
+// Memory grows with what the file holds. Adds notes, a line each, of what was not as it should be. Throws
+// std::runtime_error: one line with the problem, and with what converts a picture of another kind.
+EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes);
 
 // One light, or the built-in ones if the name is empty.
 inline std::vector<std::string> one_or_built_in_lights(const std::string& name) {

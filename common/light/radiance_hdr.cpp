@@ -1,4 +1,4 @@
-#include "light/radiance_hdr.h"
+#include "light/load_environment.h"
 
 #include <array>
 #include <cstdio>

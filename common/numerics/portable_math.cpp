@@ -81,5 +81,4 @@ SineCosine sincos_turns(double turns) {
     const double s = sine_of_quadrants[quadrant & 3], c = sine_of_quadrants[(quadrant + 1) & 3];
     return {c * sine + s * cosine, c * cosine - s * sine};
 }
-
 }  // namespace bmc::portable

@@ -31,7 +31,6 @@ static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-b
 #endif
 
 namespace bmc::portable {
-
 constexpr double pi = 3.14159265358979323846;
 
 // c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
@@ -91,5 +90,4 @@ inline double azimuth(double x, double z) {
     const double half = z > 0 ? pi - quadrant : quadrant;
     return x < 0 ? -half : half;
 }
-
 }  // namespace bmc::portable

@@ -1,6 +1,6 @@
 #include "picture.h"
 
-#include "light/radiance_hdr.h"
+#include "light/load_environment.h"
 #include "numerics/formatted.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // libFuzzer: any bytes are a map of radiances, rows of numbers or the options of a command, or an error of one line.
 #include "experiments/error_table.h"
 #include "experiments/rule.h"
-#include "light/radiance_hdr.h"
+#include "light/load_environment.h"
 
 #include <getopt.h>
 

@@ -1,4 +1,4 @@
-#include "light/radiance_hdr.h"
+#include "light/load_environment.h"
 #include "test.h"
 
 static std::vector<std::string> notes;  // of the last map
