@@ -22,7 +22,7 @@ struct Covariance {
     // M(b): the mean of k(omega, .) over the cap around omega of height b = 1 - cos(radius). Slices of equal height
     // have equal areas, and the chord at depth h is sqrt(2 h). So M(b) is 1 / b times the integral of k(sqrt(2 h)) over
     // h from 0 to b.
-    virtual double cap_mean(double height) const = 0;
+    virtual double cap_mean(double b) const = 0;
 
     // z of a direction with this cos(theta), and zz. By default p is 1, and both are integrals of M. z throws
     // std::invalid_argument for a cosine outside of [0, 1].
@@ -35,7 +35,7 @@ struct Covariance {
 // Its functions are continuous but rough, so sharp edges in the light fit the model.
 struct Sobolev : Covariance {
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
-    double cap_mean(double height) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * height); }
+    double cap_mean(double b) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * b); }
     double z(double cos_theta) const override { return sobolev_z(cos_theta); }
     double zz() const override { return sobolev_zz; }
 };
@@ -56,9 +56,7 @@ struct GeneralSobolev final : Covariance {
     explicit GeneralSobolev(double smoothness);  // throws std::invalid_argument for one outside of this range
 
     double k(double squared_chord) const override { return constant - portable::pow(squared_chord, exponent); }
-    double cap_mean(double height) const override {
-        return constant - portable::pow(2 * height, exponent) / (exponent + 1);
-    }
+    double cap_mean(double b) const override { return constant - portable::pow(2 * b, exponent) / (exponent + 1); }
     double zz() const override { return zz_value; }
 };
 
@@ -71,7 +69,7 @@ struct SquaredExponential final : Covariance {
     explicit SquaredExponential(double length_scale);  // throws std::invalid_argument for one outside of this range
 
     double k(double squared_chord) const override { return portable::exp(-0.5 * kappa * squared_chord); }
-    double cap_mean(double height) const override { return exponential_mean(kappa * height); }
+    double cap_mean(double b) const override { return exponential_mean(kappa * b); }
     double z(double cos_theta) const override { return squared_exponential_z(cos_theta, kappa); }
     double zz() const override { return zz_value; }
 };
