@@ -30,9 +30,7 @@ public:
     EnvironmentMap(int width, int height, std::vector<float> rgb = {});
     void set(int x, int y, Color radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
-        rgb[0] = static_cast<float>(radiance.x);
-        rgb[1] = static_cast<float>(radiance.y);
-        rgb[2] = static_cast<float>(radiance.z);
+        for (const double channel : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(channel);
     }
 
     // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the

@@ -36,8 +36,7 @@ double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings,
 double kurtosis(const EnvironmentMap& map);
 
 struct Prediction {
-    double samples;
-    double rmse;
+    double samples, rmse;
 };
 
 // The fewest samples, at least 1, whose predicted RMSE is at most the target. Pilots double the samples, and then
