@@ -7,7 +7,9 @@ static PictureCost picture_of_known(const EnvironmentLight& light, Method method
                                     Placement placement) {
     PictureCost compared = compared_picture(light.environment, method, pool, placement, Known::cosine);
     compared.known = "light";
-    compared.image = [&light](const RenderSettings& settings) { return picture(light, settings); };
+    compared.image = [&light](const RenderSettings& settings) {
+        return render(light.environment, settings, shader_of(light, settings));
+    };
     return compared;
 }
 

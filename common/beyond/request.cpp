@@ -39,7 +39,8 @@ Image Request::image(const EnvironmentMap& map) const {
         print_prediction(chosen.samples, found.rmse);
     }
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    Image image = light_known ? picture(light, chosen) : warned_picture(map, chosen, "; --known light models it");
+    Image image = light_known ? render(map, chosen, shader_of(light, chosen))
+                              : warned_picture(map, chosen, "; --known light models it");
     if (show == Show::picture) return image;
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);

@@ -65,7 +65,9 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.pool = pool;
     settings.placement = placement;
     settings.known = known;
-    return {settings, name_of(known, known_names), [&light](const RenderSettings& s) { return picture(light, s); }};
+    return {settings, name_of(known, known_names), [&light](const RenderSettings& each) {
+                return render(light, each, environment_shader(light, PixelRules(each)));
+            }};
 }
 
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {

@@ -34,8 +34,4 @@ Image render(const EnvironmentMap& background, const RenderSettings& settings, c
     });
     return image;
 }
-
-Image picture(const EnvironmentMap& light, const RenderSettings& settings) {
-    return render(light, settings, environment_shader(light, PixelRules(settings)));
-}
 }  // namespace bmc

@@ -16,7 +16,4 @@ Shader environment_shader(const EnvironmentMap& environment, const PixelRules& r
 // The sphere scene in these colours, with the size and the threads of the settings. A pixel that shows no object shows
 // the background.
 Image render(const EnvironmentMap& background, const RenderSettings& settings, const Shader& shade);
-
-// The same in this light. Throws what the Gaussian processes throw.
-Image picture(const EnvironmentMap& light, const RenderSettings& settings);
 }  // namespace bmc

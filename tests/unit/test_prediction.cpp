@@ -3,6 +3,10 @@
 
 using namespace bmc::beyond;
 
+static Image picture(const EnvironmentLight& light, const RenderSettings& settings) {
+    return render(light.environment, settings, shader_of(light, settings));
+}
+
 // By the definition: the root mean square of picture - better, over the pixels of a grid that show an object.
 static double rmse_by_better(const EnvironmentLight& light, const RenderSettings& settings, int first, int step) {
     const Image a = picture(light, settings), b = render(light.environment, settings, better_shader(light, settings));

@@ -41,8 +41,4 @@ Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun.irradiance(hit.normal) * sun));
     };
 }
-
-Image picture(const EnvironmentLight& light, const RenderSettings& settings) {
-    return render(light.environment, settings, shader_of(light, settings));
-}
 }  // namespace bmc::beyond

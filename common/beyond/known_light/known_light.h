@@ -33,7 +33,4 @@ SampleCounts share_out(const EnvironmentLight& light, std::size_t samples);
 
 // The colour of each point of a picture. The light must outlive it. Throws what the Gaussian processes throw.
 Shader shader_of(const EnvironmentLight& light, RenderSettings settings);
-
-// The image of linear radiance. Throws as shader_of does.
-Image picture(const EnvironmentLight& light, const RenderSettings& settings);
 }  // namespace bmc::beyond
