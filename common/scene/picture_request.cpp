@@ -80,7 +80,9 @@ std::string two_digits(double number) {
     return formatted("%.9g", std::floor(std::strtod(formatted("%.1e", number).c_str(), nullptr) + 0.5));
 }
 
-void note_missed_light(const EnvironmentMap& light, std::size_t samples, const char* cure) {
+// Prints a note on what to expect of so many samples of this light where it is not known, if they miss it: the contrast
+// c is above sqrt(samples) / 2, so that the error is above half of the picture's brightness. It ends with the cure.
+static void note_missed_light(const EnvironmentMap& light, std::size_t samples, const char* cure) {
     const double c = contrast(light), root = std::sqrt(static_cast<double>(samples));
     if (c > root / 2)
         print_note("note: expect an error of about " + two_digits(100 * c / root) + " % of the picture's brightness " +
@@ -109,15 +111,10 @@ static void note_long_wait(RenderSettings settings) {
                    " minutes; --method pool makes one for each of its --pool");
 }
 
-Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings, const char* cure) {
-    note_missed_light(light, settings.samples, cure);
-    note_long_wait(settings);
-    const PixelRules rules(settings);
-    warn_of_weights(rules);
-    return render(light, settings, environment_shader(light, rules));
-}
-
-void warn_of_weights(const PixelRules& rules) {
+// Prints a warning if the error of these rules is more than twice that of Monte Carlo with as many samples in one of
+// two worlds, a white one or one of noise (white_brightness, noise_gain): in the mean over the shared rules, or over
+// some fresh ones where pixels share none: twenty, or fewer if they are large.
+static void warn_of_weights(const PixelRules& rules) {
     SharedRules examined = rules.shared;
     const std::size_t fresh = std::clamp<std::size_t>(8000 / rules.settings.samples, 2, 20);  // so that none wait
     for (int x = 0; x < static_cast<int>(fresh) && rules.shared.empty(); ++x) {
@@ -139,5 +136,13 @@ void warn_of_weights(const PixelRules& rules) {
         harm = formatted("the weights make a white world %.0f %% too %s, more than twice Monte Carlo's error",
                          100 * std::fabs(excess), excess < 0 ? "dark" : "bright");
     if (!harm.empty()) print_note("warning: " + harm + "; take the default method, covariance and noise");
+}
+
+Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings, const char* cure) {
+    note_missed_light(light, settings.samples, cure);
+    note_long_wait(settings);
+    const PixelRules rules(settings);
+    warn_of_weights(rules);
+    return render(light, settings, environment_shader(light, rules));
 }
 }  // namespace bmc

@@ -32,16 +32,7 @@ struct PictureRequest : Experiment {
 // A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
 std::string two_digits(double number);
 
-// Prints a note on what to expect of so many samples of this light where it is not known, if they miss it: the contrast
-// c is above sqrt(samples) / 2, so that the error is above half of the picture's brightness. It ends with the cure.
-void note_missed_light(const EnvironmentMap& light, std::size_t samples, const char* cure);
-
 // The image of linear radiance, after notes and warnings on stderr, with the cure of light that is missed. Throws what
 // the Gaussian processes throw.
 Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings, const char* cure = "");
-
-// Prints a warning on stderr if the error of these rules is more than twice that of Monte Carlo with as many samples in
-// one of two worlds, a white one or one of noise (white_brightness, noise_gain): in the mean over the shared rules, or
-// over some fresh ones where pixels share none: twenty, or fewer if they are large.
-void warn_of_weights(const PixelRules& rules);
 }  // namespace bmc

@@ -48,8 +48,9 @@ TEST_CASE("of less than a hundred pixels the brightest is made white") {
     CHECK(stderr_of([&] { PictureRequest().file(rising); }) == Containing{formatted("--exposure %.1f ", -stops)});
 }
 
-static std::string warning_of(const RenderSettings& settings) {
-    return stderr_of([&] { warn_of_weights(PixelRules(settings)); });
+static std::string warning_of(RenderSettings settings, const EnvironmentMap& light = even_map(2, 2, 1)) {
+    settings.width = settings.height = 1;
+    return stderr_of([&] { warned_picture(light, settings); });
 }
 
 // The noise passes both thresholds in small steps: weights cancel where it is small, and vanish where it is large.
@@ -109,7 +110,7 @@ TEST_CASE("samples miss a light if its contrast is above half the root of their 
     CHECK(relative(contrast(map), c) < 1e-9);
     const auto most = static_cast<std::size_t>(4 * c * c);
     const auto note = [](const EnvironmentMap& light, std::size_t samples) {
-        return stderr_of([&] { note_missed_light(light, samples, ""); });
+        return warning_of(small_picture(Method::mc, samples), light);
     };
     CHECK(note(map, most) == Containing{"note: expect an error of about 50 % of the picture's brightness with"});
     CHECK(note(map, most) == Containing{formatted("%zu samples: the standard deviation of the light is", most)});
