@@ -93,8 +93,6 @@ void Progress::done(double parts) {
     show(formatted("%.0f %%, %.0f s left", 100 * fraction, fraction < 1 ? seconds / fraction - seconds : 0));
 }
 
-const char* program_name = "bmc";
-
 // Nothing here allocates: the problem may be a lack of memory.
 void print_note(std::string_view text) {
     constexpr std::size_t most = 300;  // at either end

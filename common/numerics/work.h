@@ -31,6 +31,6 @@ private:
 
 // Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
 // long text the middle is left out: it may quote options and files.
-extern const char* program_name;
+inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 }  // namespace bmc
