@@ -182,10 +182,6 @@ inline Scene test_scene() {
     return {{{0.5, 0.25, -4}, 1.5, {0.75, 0.5, 0.25}}, {-1.25, -3, 3, -8, -1, {0.25, 0.5, 0.75}}};
 }
 
-inline Image picture(const EnvironmentMap& light, const RenderSettings& settings) {
-    return render(light, settings, environment_shader(light, PixelRules(settings)));
-}
-
 // The covariance that the options of these names make.
 inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, double parameter,
                                                        Known known = Known::nothing) {

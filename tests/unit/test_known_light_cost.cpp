@@ -20,7 +20,8 @@ TEST_CASE("the dense truth under a sun agrees with a picture by many directions"
     RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = sunny_map();
-    const ImageError error = image_error(picture(map, settings), truth_with_sun(map, settings, 3000));
+    const PictureCost equal = compared_picture(map, Method::mc, 1, Placement::fibonacci);
+    const ImageError error = image_error(equal.image(settings), truth_with_sun(map, settings, 3000));
     CHECK(error.rmse < 0.01);
     CHECK(std::fabs(error.brightness) < 2e-3);
 }
@@ -38,7 +39,8 @@ TEST_CASE("a better picture has at most half of the error of the best, under a s
         const RenderSettings settings = small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci);
         const Image truth = truth_with_sun(map, settings, 2000),
                     better = render(map, settings, better_shader({map, false, 1}, settings));
+        const PictureCost equal = compared_picture(map, Method::mc, 1, Placement::cosine_fibonacci);
         CAPTURE(map.width);
-        CHECK(image_error(better, truth).rmse < 0.5 * image_error(picture(map, settings), truth).rmse);
+        CHECK(image_error(better, truth).rmse < 0.5 * image_error(equal.image(settings), truth).rmse);
     }
 }

@@ -43,7 +43,7 @@ TEST_CASE("the dense truth agrees with a picture by many directions") {
     CostSettings costs;
     costs.size = 10;
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
-    const ImageError error = image_error(picture(map, settings), truth);
+    const ImageError error = image_error(dense.image(settings), truth);
     CHECK(error.rmse < 0.01);
     CHECK(std::fabs(error.brightness) < 1e-3);
 }

@@ -3,13 +3,10 @@
 
 using namespace bmc::beyond;
 
-static Image picture(const EnvironmentLight& light, const RenderSettings& settings) {
-    return render(light.environment, settings, shader_of(light, settings));
-}
-
 // By the definition: the root mean square of picture - better, over the pixels of a grid that show an object.
 static double rmse_by_better(const EnvironmentLight& light, const RenderSettings& settings, int first, int step) {
-    const Image a = picture(light, settings), b = render(light.environment, settings, better_shader(light, settings));
+    const Image a = render(light.environment, settings, shader_of(light, settings)),
+                b = render(light.environment, settings, better_shader(light, settings));
     double squares = 0, count = 0;
     for_each_hit(sphere_scene, {a.width, a.height}, [&](int x, int y, const Hit&) {
         if (x % step != first || y % step != first) return;
@@ -126,8 +123,8 @@ TEST_CASE("the better picture has four times the samples, on the cosine lattice,
         const Image better = render(map, settings, better_shader(light, settings));
         settings = small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci);
         CAPTURE(light_known);
-        CHECK(better.pixels != picture(light, settings).pixels);
+        CHECK(better.pixels != render(map, settings, shader_of(light, settings)).pixels);
         ++settings.seed;
-        CHECK(better.pixels == picture(light, settings).pixels);
+        CHECK(better.pixels == render(map, settings, shader_of(light, settings)).pixels);
     }
 }
