@@ -79,7 +79,7 @@ static std::optional<Stability> stability_of(const std::vector<Vec3>& directions
         for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
             std::vector<Vec3> turned(directions.rbegin(), directions.rend());  // in the reverse order
             for (Vec3& direction : turned) direction = rotate_around_y(direction, turns);
-            const QuadratureRule other = bayesian_rule(covariance, noise, turned);
+            const QuadratureRule other = bayesian_rule(covariance, noise, std::move(turned));
             for (std::size_t i = 0; i < rule.size(); ++i) {
                 difference = std::max(difference, std::fabs(rule.weights[i] - other.weights[rule.size() - 1 - i]));
                 largest = std::max(largest, std::fabs(rule.weights[i]));
