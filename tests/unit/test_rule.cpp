@@ -61,7 +61,7 @@ TEST_CASE("of five columns the fourth is z_j, or the line is named") {
     };
     CHECK(rule_report(file((1 + 9e-7) * z)) == rule_report("0 1 0\n0.6 0.8 0"));
     CHECK(message_of([&] { rule_report(file((1 + 1.1e-6) * z)); }) ==
-          Containing{"line 3: five columns should be x y z"});
+          Containing{": line 3: five columns should be x y z"});
     CHECK(
         message_of([&] { rule_report(file(2)); }) ==
         Containing{formatted("but 2 is not z_j, which is %.9g with these options; for a value write x y z value", z)});
