@@ -43,14 +43,15 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
 
 static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
     const double estimate = process.integral(values), error = process.standard_error(values);
-    if (!std::isfinite(estimate) || !std::isfinite(process.amplitude(values)) || std::isinf(error))
+    const double amplitude = process.amplitude(values);
+    if (!std::isfinite(estimate) || !std::isfinite(amplitude) || std::isinf(error))
         throw std::runtime_error(
             "the values are too large: a sum exceeds the largest number, 1.8e308; scale them down");
     std::string bar = formatted("%.6g", error);
     if (std::isnan(error)) bar = "unknown: what is left of the variance is rounding; more noise makes it larger";
-    if (process.amplitude(values) == 0) bar = "unknown: the values are 0, or too small to be squared";
+    if (amplitude == 0) bar = "unknown: the values are 0, or too small to be squared";
     return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error ",
-                     known == Known::cosine ? " times cos(theta)" : "", estimate, process.amplitude(values)) +
+                     known == Known::cosine ? " times cos(theta)" : "", estimate, amplitude) +
            bar + '\n';
 }
 
@@ -126,8 +127,9 @@ void RuleReport::add_options(Options& options) {
 
 // Of five columns the fourth is z_j: with another number they are not what this report prints, and would be lost.
 static Samples with_right_z(Samples given, const Covariance& covariance) {
+    if (given.columns < 5) return given;
     const std::vector<double> z = z_of(covariance, given.directions);
-    for (std::size_t j = 0; given.columns == 5 && j < z.size(); ++j)
+    for (std::size_t j = 0; j < z.size(); ++j)
         if (!(std::fabs(given.fourth[j] - z[j]) <= 1e-6 * z[j]))
             throw error_in(given.lines[j],
                            formatted("five columns should be x y z z_j weight, but %.9g is not z_j, which is %.9g with "
