@@ -37,14 +37,13 @@ std::string KnownLightReport::report() const {
         const RenderSettings dense = row_settings(costs, {}, 10000);
         const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
         const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
-        const std::vector<PictureCost> compared{
-            compared_picture(map, Method::mc, 1, Placement::uniform),
-            compared_picture(map, Method::pool, 20, Placement::uniform),
-            compared_picture(map, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine),
-            picture_of_known(light, Method::mc, 1, Placement::uniform),
-            picture_of_known(light, Method::pool, 20, Placement::uniform),
-            picture_of_known(light, Method::mc, 1, Placement::cosine_fibonacci),
-            picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
+        const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, Placement{}),
+                                                compared_picture(map, Method::pool, 20, Placement{}),
+                                                compared_picture(map, Method::pool, 20, cosine_lattice, Known::cosine),
+                                                picture_of_known(light, Method::mc, 1, Placement{}),
+                                                picture_of_known(light, Method::pool, 20, Placement{}),
+                                                picture_of_known(light, Method::mc, 1, cosine_lattice),
+                                                picture_of_known(light, Method::pool, 20, cosine_lattice)};
         std::vector<PictureCost> rows;
         for (const PictureCost& each : compared)
             for (const std::size_t n : {10u, 40u}) {

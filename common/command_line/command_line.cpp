@@ -95,8 +95,11 @@ std::set<std::string> parse_options(int argc, char** argv, const Options& option
 
 std::string describe(const Options& options) {
     std::string text;
-    for (const Option& each : options.all)
-        text += formatted("  %-20s ", ("--" + each.name + ' ' + each.argument).c_str()) + each.description + '\n';
+    for (const Option& each : options.all) {
+        std::string line = formatted("  %-20s ", ("--" + each.name + ' ' + each.argument).c_str()) + each.description;
+        if (line.size() > 100) line.replace(line.rfind(' ', 100), 1, formatted("\n%23s", ""));
+        text += line + '\n';
+    }
     return text;
 }
 

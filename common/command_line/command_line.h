@@ -95,7 +95,7 @@ struct Command {
 // that no option takes stand behind the others from optind on (getopt_long).
 std::set<std::string> parse_options(int argc, char** argv, const Options& options);
 
-// A line for each option, for a help text.
+// A line of at most 100 characters for each option, or two, for a help text.
 std::string describe(const Options& options);
 
 // What the command prints for the arguments in argv: its report, or with --help the usage and its options. A note on

@@ -10,7 +10,8 @@ void add_model_options(Options& options, ModelSettings& s) {
     options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude (default 0.01)", s.noise,
                 0, 1000);
     options.add("known", known_names, s.known, known_remark);
-    options.add("placement", placement_names, s.placement);
+    options.add_choice("placement", {std::begin(placement_names), std::end(placement_names)}, number_of(s.placement),
+                       "", [&s](std::size_t chosen) { s.placement = placement_of(chosen); });
     options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
     options.make_idle({s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness"},
                       std::string("--covariance ") + name_of(s.covariance, covariance_names));

@@ -64,13 +64,13 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     return rows;
 }
 
-std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement) {
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Arrangement arrangement) {
     std::string text = "# integral of " + integrand.formula + formatted(" = %.10f\n", integrand.truth) +
                        "# samples   mc_error        +-  bmc_error        +- bmc_predicted    mc/bmc mc_samples\n";
     for (const ErrorRow& row : rows)
         text += formatted("%9zu", row.samples) + mean_cells(row.mc, 11) + mean_cells(row.bmc, 11) +
                 cell(14, row.predicted.count > 0 ? row.predicted.mean : NAN) + cell(10, row.gain()) +
-                cell(11, is_lattice(placement) ? NAN : row.equivalent_mc_samples()) + '\n';
+                cell(11, arrangement == Arrangement::random ? row.equivalent_mc_samples() : NAN) + '\n';
     return text;
 }
 
@@ -101,7 +101,7 @@ std::string ErrorTables::report() const {
         reason = rows[0].failure;
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
-        text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement);
+        text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement.arrangement);
     if (!failed.empty()) throw PartialOutput(text, "no Gaussian process with these samples:" + failed + "; " + reason);
     return text;
 }

@@ -16,11 +16,10 @@ static double seconds_per_megapixel(PictureCost picture) {
 
 // If pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it. Otherwise every pixel is a
 // sample, and the seeds are for the brightness. Fewer seeds where they would take long.
-static std::uint64_t seeds_of(const RenderSettings& settings) {
+static std::size_t seeds_of(const RenderSettings& settings) {
     if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
-    if (settings.method == Method::direct || (settings.method == Method::mc && !is_lattice(settings.placement)))
-        return 16;
-    return std::max<std::uint64_t>(16, 64 / settings.pool);
+    const std::size_t rules = shared_count(settings);
+    return rules == 0 ? 16 : std::max<std::size_t>(16, 64 / rules);
 }
 
 void add_cost_options(Options& options, CostSettings& costs) {
@@ -71,18 +70,22 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
 }
 
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
-    return {compared_picture(light, Method::mc, 1, Placement::uniform),
-            compared_picture(light, Method::mc, 1, Placement::cosine),
-            compared_picture(light, Method::direct, 1, Placement::uniform),
-            compared_picture(light, Method::single, 1, Placement::uniform),
-            compared_picture(light, Method::rotated, 1, Placement::uniform),
-            compared_picture(light, Method::pool, 5, Placement::uniform),
-            compared_picture(light, Method::pool, 20, Placement::uniform),
-            compared_picture(light, Method::pool, 20, Placement::cosine, Known::cosine),
-            compared_picture(light, Method::mc, 1, Placement::fibonacci),
-            compared_picture(light, Method::pool, 20, Placement::fibonacci),
-            compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci),
-            compared_picture(light, Method::pool, 20, Placement::cosine_fibonacci, Known::cosine)};
+    constexpr auto random = Arrangement::random, stratified = Arrangement::stratified, lattice = Arrangement::lattice;
+    constexpr auto cosine = Known::cosine;
+    return {compared_picture(light, Method::mc, 1, {}),
+            compared_picture(light, Method::mc, 1, {random, cosine}),
+            compared_picture(light, Method::direct, 1, {}),
+            compared_picture(light, Method::single, 1, {}),
+            compared_picture(light, Method::rotated, 1, {}),
+            compared_picture(light, Method::pool, 5, {}),
+            compared_picture(light, Method::pool, 20, {}),
+            compared_picture(light, Method::pool, 20, {random, cosine}, cosine),
+            compared_picture(light, Method::mc, 1, {stratified, cosine}),
+            compared_picture(light, Method::pool, 20, {stratified, cosine}, cosine),
+            compared_picture(light, Method::mc, 1, {lattice}),
+            compared_picture(light, Method::pool, 20, {lattice}),
+            compared_picture(light, Method::mc, 1, {lattice, cosine}),
+            compared_picture(light, Method::pool, 20, {lattice, cosine}, cosine)};
 }
 
 PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
@@ -90,7 +93,7 @@ PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSet
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
     RenderSettings settings = picture.settings = row_settings(costs, picture.settings, samples);
-    for (std::uint64_t i = 0; i < seeds_of(settings); ++i, ++settings.seed) {
+    for (std::size_t i = 0; i < seeds_of(settings); ++i, ++settings.seed) {
         const Image image = picture.image(settings);
         const ImageError error = image_error(image, truth);
         picture.rmse.add(error.rmse);
@@ -104,15 +107,16 @@ PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSet
 
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading) {
     std::string text = formatted(
-        "# method  pool placement        known   samples       rmse     +-rmse correlation brightness mc_samples%s%s\n",
+        "# method  pool placement         known   samples       rmse     +-rmse correlation brightness "
+        "mc_samples%s%s\n",
         more_heading, timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
-        text += formatted("%-8s %5zu %-16s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
-                          name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names), row.known,
+        text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
+                          name_of(s.method, method_names), s.pool, placement_names[number_of(s.placement)], row.known,
                           s.samples, rmse, row.rmse.standard_error(), row.correlation.mean, row.brightness.value(),
                           static_cast<double>(s.samples) * gain) +
                 row.more;

@@ -88,7 +88,7 @@ std::string TradeoffReport::report() const {
     std::string text = costs.untimed ? "" : rule_report();
     for (const std::string& name : names) {
         const EnvironmentMap light = load_environment(name);
-        const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
+        const PictureCost dense = compared_picture(light, Method::mc, 1, cosine_lattice);
         const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
         const std::vector<PictureCost> compared = compared_pictures(light);
         std::vector<PictureCost> rows;

@@ -2,7 +2,8 @@
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
-static Vec3 direction_at(double cos_theta, double turns) {
+static Vec3 direction_at(double u, double turns, Known density) {
+    const double cos_theta = density == Known::cosine ? std::sqrt(u) : u;
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
@@ -13,7 +14,22 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, Known density
     for (Vec3& direction : directions) {
         const double u = 1 - random.uniform();
         const double turns = random.uniform();
-        direction = direction_at(density == Known::cosine ? std::sqrt(u) : u, turns);
+        direction = direction_at(u, turns, density);
+    }
+    return directions;
+}
+
+std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known density) {
+    std::size_t rows = 1;
+    for (std::size_t divisor = 2; divisor * divisor <= n; ++divisor)
+        if (n % divisor == 0) rows = divisor;
+    const std::size_t columns = n / rows;
+    std::vector<Vec3> directions(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double height = static_cast<double>(i / columns + 1) - random.uniform();  // in rows, above 0
+        const double across = static_cast<double>(i % columns) + random.uniform();      // in columns
+        directions[i] =
+            direction_at(height / static_cast<double>(rows), across / static_cast<double>(columns), density);
     }
     return directions;
 }
@@ -23,8 +39,7 @@ std::vector<Vec3> fibonacci_directions(std::size_t n, Known density) {
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double index = static_cast<double>(i);
-        const double u = 1 - (index + 0.5) / static_cast<double>(n);
-        directions[i] = direction_at(density == Known::cosine ? std::sqrt(u) : u, index * golden);
+        directions[i] = direction_at(1 - (index + 0.5) / static_cast<double>(n), index * golden, density);
     }
     return directions;
 }

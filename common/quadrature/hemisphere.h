@@ -16,14 +16,19 @@ constexpr const char* known_names[] = {"nothing", "cosine"};
 inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
 inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
 
-// n independent directions whose density is p over its integral. u is uniform in (0, 1]. cos(theta) = u gives the
-// density 1 / (2 pi) (Archimedes). cos(theta) = sqrt(u), which is below c with the probability c^2, gives the density
-// cos(theta) / pi (Malley's method). The cosine is drawn first, then the azimuth.
+// n independent directions whose density is p over its integral, from points (u, azimuth) of the unit square, u in (0,
+// 1]. cos(theta) = u gives the density 1 / (2 pi) (Archimedes). cos(theta) = sqrt(u), which is below c with the
+// probability c^2, gives the density cos(theta) / pi (Malley's method). u is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, Known p = Known::nothing);
 
-// n directions on the spherical Fibonacci lattice: the same with u = 1 - (i + 1/2) / n and azimuths of i golden angles
-// (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination integrals",
-// Computer Graphics Forum 2013, eq. 2).
+// n directions of this density from a random point in each of n equal cells of the square: a rows of u and n / a >= a
+// columns, as nearly as many as the divisors of n allow. A prime n has one row: slices of the azimuth (Cook, Porter &
+// Carpenter, "Distributed ray tracing", SIGGRAPH 1984).
+std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known p = Known::nothing);
+
+// n directions of this density on the spherical Fibonacci lattice: u = 1 - (i + 1/2) / n and azimuths of i golden
+// angles (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination
+// integrals", Computer Graphics Forum 2013, eq. 2).
 std::vector<Vec3> fibonacci_directions(std::size_t n, Known p = Known::nothing);
 
 // The direction rotated about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.

@@ -8,14 +8,13 @@ static DirectionSet rotated(DirectionSet set, Random& random) {
 }
 
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
-    constexpr Known cosine = Known::cosine;
-    switch (placement) {
-        case Placement::uniform: return {random_directions(n, random)};
-        case Placement::cosine: return {random_directions(n, random, cosine), cosine};
-        case Placement::fibonacci: return rotated({fibonacci_directions(n)}, random);
-        case Placement::cosine_fibonacci: return rotated({fibonacci_directions(n, cosine), cosine}, random);
+    const Known density = placement.density;
+    switch (placement.arrangement) {
+        case Arrangement::random: return {random_directions(n, random, density), density};
+        case Arrangement::stratified: return {stratified_directions(n, random, density), density};
+        case Arrangement::lattice: return rotated({fibonacci_directions(n, density), density}, random);
     }
-    throw std::logic_error("a placement without directions");
+    throw std::logic_error("an arrangement without directions");
 }
 
 // BEGIN SOLUTION montecarlo

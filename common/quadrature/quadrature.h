@@ -18,14 +18,24 @@ struct QuadratureRule {
     std::size_t size() const { return weights.size(); }
 };
 
-// How the directions of a rule are placed: at random or on the Fibonacci lattice, uniformly w.r.t. solid angle or with
-// density cos(theta) / pi.
-enum class Placement { uniform, fibonacci, cosine, cosine_fibonacci };
-constexpr const char* placement_names[] = {"uniform", "fibonacci", "cosine", "cosine-fibonacci"};
+// How the directions of a rule are placed: an arrangement, and a density, which is p over its integral. A lattice has
+// the same directions each time, up to a rotation about the up axis.
+enum class Arrangement { random, stratified, lattice };
+struct Placement {
+    Arrangement arrangement = Arrangement::random;
+    Known density = Known::nothing;
+};
 
-// A lattice has the same directions each time, up to a rotation about the up axis.
-inline bool is_lattice(Placement placement) {
-    return placement == Placement::fibonacci || placement == Placement::cosine_fibonacci;
+constexpr Placement cosine_lattice{Arrangement::lattice, Known::cosine};
+
+// All placements, each of which has a name: the arrangements with a uniform density, then with the cosine's.
+constexpr const char* placement_names[] = {"uniform", "stratified",        "fibonacci",
+                                           "cosine",  "cosine-stratified", "cosine-fibonacci"};
+inline Placement placement_of(std::size_t number) {
+    return {static_cast<Arrangement>(number % 3), static_cast<Known>(number / 3)};
+}
+inline std::size_t number_of(Placement placement) {
+    return 3 * static_cast<std::size_t>(placement.density) + static_cast<std::size_t>(placement.arrangement);
 }
 
 // Directions whose density is the known part p over its integral.
@@ -34,7 +44,7 @@ struct DirectionSet {
     Known known = Known::nothing;
 };
 
-// A fresh set of n >= 1 directions: independent ones, or the lattice rotated by a random angle.
+// A fresh set of n >= 1 directions; a lattice is rotated by a random angle.
 DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
 
 // Monte Carlo: the estimate of the integral of f p is the mean of f p / density, which is f times the integral of p. So
@@ -60,7 +70,7 @@ struct ModelSettings {
     double length_scale = 1;  // of any other family
     double noise = 0.01;
     Known known = Known::nothing;
-    Placement placement = Placement::uniform;
+    Placement placement = {};
     std::uint64_t seed = 1;
 
     // Throws std::invalid_argument as the covariance's constructor does, and if the known part has no closed form.

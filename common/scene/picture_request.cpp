@@ -56,7 +56,7 @@ std::string PictureRequest::report() const {
 }
 
 std::size_t PictureRequest::most_samples() const {
-    return settings.method == Method::mc && is_lattice(settings.placement) ? most_lattice_samples : max_process_samples;
+    return settings.method == Method::mc && shared_count(settings) > 0 ? most_lattice_samples : max_process_samples;
 }
 
 void PictureRequest::require_possible() const {

@@ -10,10 +10,9 @@ static Random rule_stream(const RenderSettings& settings, std::size_t i) {
     return {settings.seed, (std::uint64_t{1} << 63) + i};
 }
 
-// The number of rules that pixels share.
-static std::size_t shared_count(const RenderSettings& settings) {
+std::size_t shared_count(const RenderSettings& settings) {
     switch (settings.method) {
-        case Method::mc: return is_lattice(settings.placement) ? 1 : 0;
+        case Method::mc: return settings.placement.arrangement == Arrangement::lattice ? 1 : 0;
         case Method::direct: return 0;
         case Method::single:
         case Method::rotated: return 1;

@@ -23,6 +23,9 @@ struct RenderSettings : ModelSettings {
     std::size_t threads = processors();  // changes no bit of the image
 };
 
+// The number of rules that pixels share: 0 if each has its own.
+std::size_t shared_count(const RenderSettings& settings);
+
 // The random stream of a pixel: no two pixels share one.
 Random pixel_stream(const RenderSettings& settings, int x, int y);
 

@@ -357,10 +357,10 @@ struct Row {
     Known known;
 };
 const Row rows[] = {
-    {"", 3, CovarianceFamily::squared_exponential, 0.3, Placement::uniform, Known::nothing},
-    {", placement cosine", 41, CovarianceFamily::sobolev, 0.05, Placement::cosine, Known::nothing},
-    {", known cosine", 20, CovarianceFamily::sobolev, 0.05, Placement::uniform, Known::cosine},
-    {", placement fibonacci", 100, CovarianceFamily::sobolev, 0.05, Placement::fibonacci, Known::nothing}};
+    {"", 3, CovarianceFamily::squared_exponential, 0.3, {}, Known::nothing},
+    {", placement cosine", 41, CovarianceFamily::sobolev, 0.05, {Arrangement::random, Known::cosine}, Known::nothing},
+    {", known cosine", 20, CovarianceFamily::sobolev, 0.05, {}, Known::cosine},
+    {", placement fibonacci", 100, CovarianceFamily::sobolev, 0.05, {Arrangement::lattice}, Known::nothing}};
 
 void errors(const char* what, const Statistics& of, double tolerance, double factor = 1, const char* mistake = "") {
     const std::string name = std::string(what) + " errors";
@@ -495,7 +495,7 @@ void shared_rules_values() {
     for (std::size_t method = 0; method < std::size(method_names); ++method)
         for (std::size_t placement = 0; placement < std::size(placement_names); ++placement)
             for (const std::size_t n : {3u, 20u}) {
-                const PixelRules rules(settings_of(static_cast<Method>(method), static_cast<Placement>(placement), n));
+                const PixelRules rules(settings_of(static_cast<Method>(method), placement_of(placement), n));
                 const std::string of = formatted("method %s, placement %s, n = %zu: ", method_names[method],
                                                  placement_names[placement], n);
                 in = of;
@@ -517,7 +517,7 @@ int index_of(const QuadratureRule& rule, const SharedRules& shared) {
 template <Method method>
 void rule_for_values() {
     const std::pair<std::size_t, Placement> sets[] = {
-        {3, Placement::uniform}, {20, Placement::cosine}, {40, Placement::cosine_fibonacci}};
+        {3, {}}, {20, {Arrangement::random, Known::cosine}}, {40, cosine_lattice}};
     for (const auto& [n, placement] : sets) {
         const PixelRules rules(settings_of(method, placement, n));
         for (const Vec3& direction : directions_of(12)) {

@@ -43,7 +43,7 @@ Image rendered(const EnvironmentMap& light, const PictureRequest& request) {
 // A picture nearly without noise.
 Image true_picture(const EnvironmentMap& light, PictureRequest request) {
     request.settings.method = Method::mc;
-    request.settings.placement = Placement::cosine_fibonacci;
+    request.settings.placement = cosine_lattice;
     request.settings.samples = 2000;
     return rendered(light, request);
 }

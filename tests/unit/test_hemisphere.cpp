@@ -1,4 +1,6 @@
 #include "quadrature/hemisphere.h"
+
+#include "numerics/statistics.h"
 #include "test.h"
 
 // The largest difference of a component.
@@ -36,6 +38,29 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
         CHECK(chi_square > 25);
         CHECK(chi_square < 119);
     }
+}
+
+// Within a cell the points are uniform: the mean place of 1000 n of them is 1/2 within 5 standard errors, sqrt(1/12)
+// over the root of their number.
+TEST_CASE("stratified directions have a random point in each cell of as square a grid as their number divides into") {
+    for (const auto& [n, rows] : {std::pair(13, 1), {20, 4}, {36, 6}})
+        for (const Known density : {Known::nothing, Known::cosine}) {
+            CAPTURE(n);
+            Random random(1, 0);
+            Statistics within[2];
+            for (int set = 0; set < 1000; ++set) {
+                std::vector<int> cells(static_cast<std::size_t>(n));
+                for (const Vec3& d : stratified_directions(cells.size(), random, density)) {
+                    const double height = rows * (density == Known::cosine ? d.y * d.y : d.y);
+                    const double across = n / rows * (1 + std::atan2(d.x, d.z) / (2 * pi)), column = std::floor(across);
+                    ++cells.at(static_cast<std::size_t>(std::floor(height) + rows * std::fmod(column, n / rows)));
+                    within[0].add(height - std::floor(height));
+                    within[1].add(across - column);
+                }
+                CHECK(cells == std::vector<int>(cells.size(), 1));
+            }
+            for (const Statistics& place : within) CHECK(std::fabs(place.mean - 0.5) < 5 * std::sqrt(1 / 12e3 / n));
+        }
 }
 
 TEST_CASE("rotation about y turns z towards x and keeps y; a rotated frame does so first") {

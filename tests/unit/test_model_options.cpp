@@ -14,7 +14,7 @@ TEST_CASE("the options of a model set its members, in the ranges of a process") 
     CHECK(s.covariance == CovarianceFamily::squared_exponential);
     CHECK(Numbers{s.smoothness, s.length_scale, s.noise} == Numbers{1.999, 1e6, 1000});
     CHECK(s.known == Known::cosine);
-    CHECK(s.placement == Placement::cosine_fibonacci);
+    CHECK(number_of(s.placement) == number_of(cosine_lattice));
     CHECK(s.seed == UINT64_MAX);
     Options idle;  // with the values that are set
     add_model_options(idle, s);

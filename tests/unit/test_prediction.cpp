@@ -121,7 +121,7 @@ TEST_CASE("the better picture has four times the samples, on the cosine lattice,
         RenderSettings settings = small_picture(Method::pool, 5, 24);
         settings.noise = 1000;
         const Image better = render(map, settings, better_shader(light, settings));
-        settings = small_picture(Method::mc, 20, 24, Placement::cosine_fibonacci);
+        settings = small_picture(Method::mc, 20, 24, cosine_lattice);
         CAPTURE(light_known);
         CHECK(better.pixels != render(map, settings, shader_of(light, settings)).pixels);
         ++settings.seed;

@@ -117,8 +117,8 @@ TEST_CASE("an estimate that is too large fails, and an error bar that is only ro
     CHECK(rule_report("0 1 0 5e-324\n", {"--noise=100"}) ==
           Containing{"standard error unknown: the values are 0, or too small"});
     CHECK(rule_report("0 1 0 4.3e307\n") == Containing{"estimate 1.746"});
-    for (const std::string& values : {"0 1 0 1e308\n0.6 0.8 0 1e308\n0 0.8 0.6 1e308\n",  // the estimate, or its bar
-                                      "1 0 0 7e307\n-1 0 0 -7e307\n"})
+    for (const char* values : {"0 1 0 1e308\n0.6 0.8 0 1e308\n0 0.8 0.6 1e308\n",  // the estimate, or its bar
+                               "1 0 0 7e307\n-1 0 0 -7e307\n"})
         CHECK_THROWS_WITH(rule_report(values),
                           "the values are too large: a sum exceeds the largest number, 1.8e308; scale them down");
 }
@@ -127,6 +127,6 @@ TEST_CASE("directions are drawn from stream 0 if no file is given") {
     RuleReport report;
     parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
     Random random(5, 0);
-    const double x = place_directions(Placement::fibonacci, 3, random).directions[1].x;
+    const double x = place_directions({Arrangement::lattice}, 3, random).directions[1].x;
     CHECK(rows_of(report.report()).at(1).at(0) == formatted("%.17g", x));
 }
