@@ -1,5 +1,5 @@
 // Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo and writes the picture to standard output.
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 #include "scene/picture_request.h"
 

@@ -1,6 +1,6 @@
 // Prints the error tables of Monte Carlo against Bayesian Monte Carlo, and what its commands report: columns between
 // white space under lines that begin with '#', as gnuplot and awk read them.
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 #include "experiments/belief.h"
 #include "experiments/error_table.h"

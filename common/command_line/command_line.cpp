@@ -138,12 +138,7 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 int run_program(const char* name, const std::function<std::string()>& body) {
     program_name = name;
     try {
-        try {
-            write_all(body());
-        } catch (const PartialOutput& incomplete) {
-            write_all(incomplete.output);
-            throw;
-        }
+        write_all(body());
         return 0;
     } catch (const std::invalid_argument& error) {
         print_note(error.what());

@@ -2,9 +2,9 @@
 // std::invalid_argument: what was given, what is allowed.
 #pragma once
 
-#include "numerics/formatted.h"
-#include "numerics/portable_math.h"
-#include "numerics/work.h"
+#include "base/formatted.h"
+#include "base/portable_math.h"
+#include "base/terminal.h"
 
 #include <functional>
 #include <memory>
@@ -14,13 +14,6 @@
 #include <vector>
 
 namespace bmc {
-// Output that lacks a part. It is printed all the same; the exit status is 1.
-struct PartialOutput : std::runtime_error {
-    std::string output;
-    PartialOutput(std::string printed, const std::string& missing)
-        : std::runtime_error(missing), output(std::move(printed)) {}
-};
-
 // The whole text as a number. All throw std::invalid_argument unless it lies in [low, high].
 double parse_real(const std::string& text, double low, double high);
 std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uint64_t high);

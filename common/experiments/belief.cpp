@@ -1,5 +1,7 @@
 #include "experiments/belief.h"
 
+#include "base/parallel.h"
+
 #include "experiments/integrands.h"
 #include "scene/image.h"
 #include "scene/scene.h"

@@ -102,7 +102,7 @@ std::string ErrorTables::report() const {
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
         text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement.arrangement);
-    if (!failed.empty()) throw PartialOutput(text, "no Gaussian process with these samples:" + failed + "; " + reason);
+    if (!failed.empty()) print_note("warning: no Gaussian process with these samples:" + failed + "; " + reason);
     return text;
 }
 }  // namespace bmc

@@ -4,8 +4,8 @@
 
 #include "command_line/model_options.h"
 #include "experiments/integrands.h"
-#include "numerics/statistics.h"
-#include "numerics/work.h"
+#include "base/statistics.h"
+#include "base/terminal.h"
 
 namespace bmc {
 struct ErrorSettings : ModelSettings {
@@ -43,6 +43,6 @@ struct ErrorTables : Experiment {
     ErrorSettings settings;
 
     void add_options(Options& options) override;
-    std::string report() const override;  // throws PartialOutput if a Q cannot be factored
+    std::string report() const override;  // a warning names the samples whose Q cannot be factored
 };
 }  // namespace bmc

@@ -1,6 +1,6 @@
 #include "experiments/models.h"
 
-#include "numerics/statistics.h"
+#include "base/statistics.h"
 #include "scene/scene.h"
 
 namespace bmc {

@@ -1,6 +1,25 @@
 #include "experiments/picture_cost.h"
 
+#include <chrono>
+
 namespace bmc {
+double time_call(const std::function<void()>& action) {
+    using Clock = std::chrono::steady_clock;
+    double fewest = 1e300;
+    for (int runs = 0, calls = 1; runs < 4;) {
+        const auto start = Clock::now();
+        for (int i = 0; i < calls; ++i) action();
+        const std::chrono::duration<double> seconds = Clock::now() - start;
+        if (seconds.count() < 2e-3) {
+            calls *= 2;
+        } else {
+            fewest = std::min(fewest, seconds.count() / calls);
+            ++runs;
+        }
+    }
+    return fewest;
+}
+
 // The rules are made once, whatever the size: a picture of one pixel measures their time.
 static double seconds_per_megapixel(PictureCost picture) {
     picture.settings.threads = 1;

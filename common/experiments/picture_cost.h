@@ -1,11 +1,14 @@
-// What the accuracy of a picture costs: the sphere scene by every method against a dense quadrature.
+// What accuracy costs: the seconds of a call, and the sphere scene by every method against a dense quadrature.
 #pragma once
 
 #include "command_line/command_line.h"
-#include "numerics/statistics.h"
+#include "base/statistics.h"
 #include "scene/render.h"
 
 namespace bmc {
+// The seconds of one call: the least of four measurements, which take at least 2 ms each.
+double time_call(const std::function<void()>& action);
+
 struct CostSettings {
     int size = 64;           // of the pictures, size x size pixels
     std::uint64_t seed = 1;  // picture i of seed k has the seed 1000 (k - 1) + i, i from 1

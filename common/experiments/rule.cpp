@@ -1,6 +1,6 @@
 #include "experiments/rule.h"
 
-#include "numerics/input.h"
+#include "base/input.h"
 
 #include <cstdlib>
 #include <sstream>

@@ -1,5 +1,5 @@
 #include "light/load_environment.h"
-#include "numerics/work.h"
+#include "base/parallel.h"
 
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector

@@ -4,7 +4,7 @@
 // (So it meets the last column or row only if u or v is 1. This is the convention of the practice's base code.)
 #pragma once
 
-#include "numerics/vec3.h"
+#include "base/vec3.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "light/load_environment.h"
 
-#include "numerics/input.h"
-#include "numerics/work.h"
+#include "base/input.h"
+#include "base/terminal.h"
 
 namespace bmc {
 EnvironmentMap load_environment(const std::string& name, std::size_t threads) {

@@ -1,6 +1,6 @@
 #include "linear_algebra/cholesky.h"
 
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 namespace bmc {
 // A pivot is a_mm minus m products. If it is smaller than m + 1 rounding errors of a_mm, it may be rounding error

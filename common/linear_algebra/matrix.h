@@ -2,7 +2,7 @@
 // row vectorises.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 #include <vector>
 

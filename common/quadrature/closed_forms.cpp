@@ -1,6 +1,6 @@
 #include "quadrature/closed_forms.h"
 
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <stdexcept>
 

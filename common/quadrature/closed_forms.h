@@ -2,7 +2,7 @@
 // tests/unit/test_covariance.cpp compares each with 20 digits that were computed from its definition, in another way.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 #include <algorithm>
 

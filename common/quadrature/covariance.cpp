@@ -1,6 +1,6 @@
 #include "quadrature/covariance.h"
 
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 #include "quadrature/gaussian_process.h"
 
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <numeric>
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "linear_algebra/cholesky.h"
-#include "numerics/vec3.h"
+#include "base/vec3.h"
 #include "quadrature/covariance.h"
 
 namespace bmc {

@@ -2,8 +2,8 @@
 // respect to solid angle. The cosine of a direction's angle theta to the up axis is its y.
 #pragma once
 
-#include "numerics/random.h"
-#include "numerics/vec3.h"
+#include "base/random.h"
+#include "base/vec3.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "scene/image.h"
 
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // An image of linear RGB radiance, and the formats it is written in.
 #pragma once
 
-#include "numerics/vec3.h"
+#include "base/vec3.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "scene/picture_request.h"
 
 #include "light/texels_on_sphere.h"
-#include "numerics/statistics.h"
+#include "base/statistics.h"
 
 namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {
@@ -90,27 +90,6 @@ static void note_missed_light(const EnvironmentMap& light, std::size_t samples, 
                              c, cure));
 }
 
-// Says how long --method direct will take, if that is more than a minute. Measured is a process of at most 200 samples;
-// the time of larger ones grows with the cube of their number.
-static void note_long_wait(RenderSettings settings) {
-    if (settings.method != Method::direct) return;
-    const double samples = static_cast<double>(settings.samples), fewer = std::min(samples, 200.0);
-    settings.samples = static_cast<std::size_t>(fewer);
-    const PixelRules rules(settings);
-    const double seconds = time_call([&] {
-        Random random = pixel_stream(settings, 0, 0);
-        rules.fresh_rule(random);
-    });
-    double pixels = 0;
-    for_each_hit(sphere_scene, {settings.width, settings.height}, [&](int, int, const Hit&) { ++pixels; });
-    const double grown = samples / fewer, threads = static_cast<double>(std::min(settings.threads, processors()));
-    const double minutes = seconds * grown * grown * grown * pixels / threads / 60;
-    if (minutes > 1)
-        print_note("note: Gaussian processes of " + std::to_string(static_cast<int>(samples)) + " samples for " +
-                   two_digits(pixels) + " pixels take about " + two_digits(minutes) +
-                   " minutes; --method pool makes one for each of its --pool");
-}
-
 // Prints a warning if the error of these rules is more than twice that of Monte Carlo with as many samples in one of
 // two worlds, a white one or one of noise (white_brightness, noise_gain): in the mean over the shared rules, or over
 // some fresh ones where pixels share none: twenty, or fewer if they are large.
@@ -140,7 +119,6 @@ static void warn_of_weights(const PixelRules& rules) {
 
 Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings, const char* cure) {
     note_missed_light(light, settings.samples, cure);
-    note_long_wait(settings);
     const PixelRules rules(settings);
     warn_of_weights(rules);
     return render(light, settings, environment_shader(light, rules));

@@ -2,7 +2,8 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
-#include "numerics/work.h"
+#include "base/parallel.h"
+#include "base/terminal.h"
 #include "scene/reflection.h"
 
 namespace bmc {

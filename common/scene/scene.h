@@ -1,7 +1,7 @@
 // The practice's sphere scene: one camera, one sphere on one rectangle, lit by the environment alone.
 #pragma once
 
-#include "numerics/vec3.h"
+#include "base/vec3.h"
 
 #include <optional>
 

@@ -3,11 +3,11 @@
 // background differs and, of each object, the size of the errors, their mean in each channel, and how alike neighbours
 // err. It prints what differs, by how many standard deviations and where, and no cause. Exit status: 0 right, 1
 // different, 2 it cannot be judged.
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 #include "../output/picture.h"
-#include "numerics/input.h"
-#include "numerics/statistics.h"
+#include "base/input.h"
+#include "base/statistics.h"
 #include "scene/picture_request.h"
 
 #include <algorithm>

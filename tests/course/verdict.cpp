@@ -2,7 +2,7 @@
 // is the first that differs. Exit status: 0 none, 1 one, 2 ACTUAL has no number where it should have one, 3 a file
 // cannot be read. Of ACTUAL only names and numbers are read.
 // verdict --all EXPECTED ACTUAL prints every number, the right one, and a star where they differ.
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <cmath>
 #include <cstdlib>

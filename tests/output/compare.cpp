@@ -5,7 +5,7 @@
 #include "compare.h"
 
 #include "command_line/command_line.h"
-#include "numerics/input.h"
+#include "base/input.h"
 
 #include <cstdio>
 #include <iterator>

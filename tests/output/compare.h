@@ -1,7 +1,7 @@
 // What the comparisons of texts and of pictures share.
 #pragma once
 
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 #include "picture.h"
 
 #include "light/load_environment.h"
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "numerics/formatted.h"
+#include "base/formatted.h"
 #include "test.h"
 
 TEST_CASE("a text of any length is formatted whole") {

@@ -1,6 +1,6 @@
 #include "quadrature/hemisphere.h"
 
-#include "numerics/statistics.h"
+#include "base/statistics.h"
 #include "test.h"
 
 // The largest difference of a component.

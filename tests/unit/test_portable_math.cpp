@@ -1,4 +1,4 @@
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 #include "test.h"
 
 #if LDBL_MANT_DIG >= 64

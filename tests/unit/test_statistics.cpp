@@ -1,4 +1,4 @@
-#include "numerics/statistics.h"
+#include "base/statistics.h"
 #include "test.h"
 
 TEST_CASE("the mean, the squares around it and its standard error are by the definition") {

@@ -1,6 +1,6 @@
 #include "beyond/known_light/prefiltered_environment.h"
 
-#include "numerics/work.h"
+#include "base/parallel.h"
 #include "quadrature/hemisphere.h"
 
 #include <stdexcept>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "light/texels_on_sphere.h"
-#include "numerics/random.h"
+#include "base/random.h"
 #include "scene/scene.h"
 
 #include <memory>

@@ -1,4 +1,4 @@
-#include "numerics/work.h"
+#include "base/parallel.h"
 #include "test.h"
 
 #include <atomic>
@@ -39,8 +39,4 @@ TEST_CASE("after an exception of one thread the other begins no more rows") {
     };
     CHECK_THROWS_AS(for_each_row(300, 2, fail_first), std::bad_alloc);
     CHECK(later < 299);
-}
-
-TEST_CASE("every call takes time") {
-    CHECK(time_call([] {}) > 0);
 }

@@ -1,4 +1,4 @@
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 namespace bmc::portable {
 // ln 2 = ln2_hi + ln2_lo. ln2_hi has 32 bits, so that k * ln2_hi is exact for every binary exponent k.

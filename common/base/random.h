@@ -4,7 +4,7 @@
 // C++ does not fix the order in which the arguments of a call are evaluated.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 namespace bmc {
 class Random {

@@ -1,7 +1,7 @@
 // The mean of numbers and its standard error, by Welford's algorithm (Technometrics 1962, page 419).
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 namespace bmc {
 struct Statistics {

@@ -1,7 +1,7 @@
 // Three-dimensional vectors: points, directions, and colours as linear RGB.
 #pragma once
 
-#include "numerics/portable_math.h"
+#include "base/portable_math.h"
 
 namespace bmc {
 struct Vec3 {

@@ -1,0 +1,14 @@
+// Rows that several threads compute.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace bmc {
+// The number of processors of this machine, at least 1.
+std::size_t processors();
+
+// Calls row(y) once for every y from 0 to rows - 1, in any order, on at most this number of threads. An exception of a
+// call ends the rows of all and reaches the caller.
+void for_each_row(int rows, std::size_t threads, const std::function<void(int y)>& row);
+}  // namespace bmc
