@@ -42,9 +42,10 @@ struct GaussianProcess {
     }
 };
 
-// z of each direction. Throws std::invalid_argument for one below the horizon.
+// What the constructor computes: z of each direction (throws std::invalid_argument for one below the horizon), Q (n x n
+// and symmetric), w from the factor of Q, and V, which is not negative.
 std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions);
-
-// Q, n x n and symmetric.
 Matrix covariance_matrix(const Covariance& covariance, double noise, const std::vector<Vec3>& directions);
+std::vector<double> bayesian_weights(const Cholesky& cholesky, const std::vector<double>& z);
+double posterior_variance(double zz, const std::vector<double>& z, const std::vector<double>& weights);
 }  // namespace bmc

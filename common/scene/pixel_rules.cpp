@@ -1,44 +1,10 @@
 #include "scene/pixel_rules.h"
 
 namespace bmc {
-Random pixel_stream(const RenderSettings& settings, int x, int y) {
-    return {settings.seed, static_cast<std::uint64_t>(std::int64_t{y} * settings.width + x)};
-}
-
-// The stream of shared rule i; pixels have the streams from 0.
-static Random rule_stream(const RenderSettings& settings, std::size_t i) {
-    return {settings.seed, (std::uint64_t{1} << 63) + i};
-}
-
-std::size_t shared_count(const RenderSettings& settings) {
-    switch (settings.method) {
-        case Method::mc: return settings.placement.arrangement == Arrangement::lattice ? 1 : 0;
-        case Method::direct: return 0;
-        case Method::single:
-        case Method::rotated: return 1;
-        case Method::pool: return settings.pool;
-    }
-    throw std::logic_error("a method without rules");
-}
-
 PixelRules::PixelRules(const RenderSettings& of_picture)
     : settings(of_picture),
       covariance(settings.method == Method::mc ? nullptr : settings.make_covariance()),
-      shared(shared_rules()) {}
-
-// The shared_count(settings) rules, made once: rule i by fresh_rule and rule_stream(settings, i).
-// BEGIN SOLUTION shared_rules
-SharedRules PixelRules::shared_rules() const {
-    SharedRules rules;
-    Progress progress(static_cast<double>(shared_count(settings)));
-    for (std::size_t i = 0; i < shared_count(settings); ++i) {
-        Random random = rule_stream(settings, i);
-        rules.push_back(fresh_rule(random));
-        progress.done();
-    }
-    return rules;
-}
-// END SOLUTION
+      shared(shared_count(settings) > 0 ? shared_rules() : SharedRules{}) {}
 
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
     DirectionSet set = place_directions(settings.placement, settings.samples, random);

@@ -24,11 +24,13 @@ struct RenderSettings : ModelSettings {
     std::size_t threads = processors();  // changes no bit of the image
 };
 
-// The number of rules that pixels share: 0 if each has its own.
-std::size_t shared_count(const RenderSettings& settings);
-
-// The random stream of a pixel: no two pixels share one.
-Random pixel_stream(const RenderSettings& settings, int x, int y);
+// The random streams of a pixel and of shared rule i: no two are the same.
+inline Random pixel_stream(const RenderSettings& settings, int x, int y) {
+    return {settings.seed, static_cast<std::uint64_t>(std::int64_t{y} * settings.width + x)};
+}
+inline Random rule_stream(const RenderSettings& settings, std::size_t i) {
+    return {settings.seed, (std::uint64_t{1} << 63) + i};
+}
 
 // The rule of a pixel, made for it alone or shared, and the frame that carries it to the surface.
 struct OrientedRule {
@@ -37,6 +39,7 @@ struct OrientedRule {
 };
 
 using SharedRules = std::vector<std::shared_ptr<const QuadratureRule>>;
+std::size_t shared_count(const RenderSettings& settings);  // how many rules pixels share
 
 struct PixelRules {
     const RenderSettings settings;
