@@ -1,5 +1,7 @@
 #include "beyond/request.h"
 
+#include "scene/advice.h"
+
 namespace bmc::beyond {
 static void print_prediction(std::size_t samples, double rmse) {
     print_note(formatted("%zu sample%s for a predicted RMSE of %.2g", samples, samples == 1 ? "" : "s", rmse));
@@ -16,14 +18,20 @@ static Image grey_scale(Image errors, double white) {
 
 void Request::add_options(Options& options) {
     PictureRequest::add_options(options);
-    options.add_choice("known", {"nothing", "cosine", "light"}, 0, known_remark, [this](std::size_t chosen) {
-        settings.known = chosen > 0 ? Known::cosine : Known::nothing;
-        light_known = chosen == 2;
-    });
+    options.named("known") =
+        choice("known", {"nothing", "cosine", "light"}, 0, known_remark, [this](std::size_t chosen) {
+            settings.known = chosen > 0 ? Known::cosine : Known::nothing;
+            light_known = chosen == 2;
+        });
     if (settings.method == Method::mc && !light_known) options.make_idle({"known"}, "--method mc");
     options.add("rmse", "X", "use as few samples as reach this predicted RMSE (instead of --samples)", rmse, 1e-9, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
     if (rmse > 0) options.make_idle({"samples"}, "--rmse");
+}
+
+std::string Request::report() const {
+    require_possible();
+    return file(image(load_environment(environment, settings.threads)));
 }
 
 Image Request::image(const EnvironmentMap& map) const {
@@ -38,13 +46,13 @@ Image Request::image(const EnvironmentMap& map) const {
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
     }
+    if (!light_known && note_missed_light(map, chosen.samples)) print_note("note: --known light models this light");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    Image image = light_known ? render(map, chosen, shader_of(light, chosen))
-                              : warned_picture(map, chosen, "; --known light models it");
+    Image image = light_known ? render(map, chosen, shader_of(light, chosen)) : warned_picture(map, chosen);
     if (show == Show::picture) return image;
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);
-    return format == Format::pfm ? errors : grey_scale(errors, 2 * predicted);
+    return is_linear(format) ? errors : grey_scale(errors, 2 * predicted);
 }
 }  // namespace bmc::beyond

@@ -16,7 +16,10 @@ struct Request : PictureRequest {
 
     void add_options(Options& options) override;
 
-    // Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many samples.
-    Image image(const EnvironmentMap& map) const override;
+    std::string report() const override;
+
+    // What the file shows. Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many
+    // samples.
+    Image image(const EnvironmentMap& map) const;
 };
 }  // namespace bmc::beyond

@@ -19,10 +19,10 @@ static void write_all(const std::string& output) {
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
 
-void Options::add(Option option) {
-    for (Option& each : all)
-        if (each.name == option.name) return void(each = std::move(option));
-    all.push_back(std::move(option));
+Option& Options::named(const std::string& name) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Option& each) { return each.name == name; });
+    if (found == all.end()) throw std::logic_error("there is no option " + name);
+    return *found;
 }
 
 // "mc, direct or pool".
@@ -33,18 +33,13 @@ static std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-void Options::add_choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
-                         const std::function<void(std::size_t)>& choose) {
-    add({name, "NAME", listed(names) + " (default " + names[usual] + ")" + remark, [=](const std::string& text) {
-             const auto found = std::find(names.begin(), names.end(), text);
-             if (found == names.end()) throw std::invalid_argument("'" + text + "' is not " + listed(names));
-             choose(static_cast<std::size_t>(found - names.begin()));
-         }});
-}
-
-void Options::make_idle(const std::vector<std::string>& names, const std::string& with) {
-    for (Option& each : all)
-        if (std::find(names.begin(), names.end(), each.name) != names.end()) each.idle_with = with;
+Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
+              const std::function<void(std::size_t)>& choose) {
+    return {name, "NAME", listed(names) + " (default " + names[usual] + ")" + remark, [=](const std::string& text) {
+                const auto found = std::find(names.begin(), names.end(), text);
+                if (found == names.end()) throw std::invalid_argument("'" + text + "' is not " + listed(names));
+                choose(static_cast<std::size_t>(found - names.begin()));
+            }};
 }
 
 // Why a word is no option. letter: where getopt_long took it for letters after a single dash, else 0.

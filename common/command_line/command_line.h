@@ -33,12 +33,16 @@ struct Option {
     std::string idle_with = {};                   // "--covariance sobolev", if it changes nothing because of that
 };
 
+// An option whose values have names, of which it has the usual one at first.
+Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
+              const std::function<void(std::size_t)>& choose);
+
 // Options in the order of the help. They set members of an experiment, which must outlive them and not move.
 struct Options {
     std::vector<Option> all;
 
-    // Adds an option, or puts it in the place of the one with its name.
-    void add(Option option);
+    void add(Option option) { all.push_back(std::move(option)); }
+    Option& named(const std::string& name);  // the one of this name
 
     // Adds one that sets a text, a switch, a number from low to high, or a value that has a name.
     void add(const char* name, const char* argument, const std::string& description, std::string& text) {
@@ -55,14 +59,14 @@ struct Options {
     }
     template <class T, std::size_t count>
     void add(const char* name, const char* const (&names)[count], T& value, const char* remark = "") {
-        add_choice(name, {names, names + count}, static_cast<std::size_t>(value), remark,
-                   [&value](std::size_t chosen) { value = static_cast<T>(chosen); });
+        add(choice(name, {names, names + count}, static_cast<std::size_t>(value), remark,
+                   [&value](std::size_t chosen) { value = static_cast<T>(chosen); }));
     }
-    void add_choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
-                    const std::function<void(std::size_t)>& choose);
 
     // The options of these names change nothing with another one.
-    void make_idle(const std::vector<std::string>& names, const std::string& with);
+    void make_idle(const std::vector<std::string>& names, const std::string& with) {
+        for (const std::string& name : names) named(name).idle_with = with;
+    }
 };
 
 // What a program can be asked for.

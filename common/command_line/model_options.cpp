@@ -5,13 +5,13 @@ void add_model_options(Options& options, ModelSettings& s) {
     options.add("covariance", covariance_names, s.covariance);
     options.add("smoothness", "X", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, min_smoothness,
                 max_smoothness);
-    options.add("length-scale", "X", "of squared-exponential, from 0.05 (default 1)", s.length_scale, min_length_scale,
-                max_length_scale);
+    options.add("length-scale", "X", "of the other covariances, from 0.05 (default 1)", s.length_scale,
+                min_length_scale, max_length_scale);
     options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude (default 0.01)", s.noise,
                 0, 1000);
     options.add("known", known_names, s.known, known_remark);
-    options.add_choice("placement", {std::begin(placement_names), std::end(placement_names)}, number_of(s.placement),
-                       "", [&s](std::size_t chosen) { s.placement = placement_of(chosen); });
+    options.add(choice("placement", {std::begin(placement_names), std::end(placement_names)}, number_of(s.placement),
+                       "", [&s](std::size_t chosen) { s.placement = placement_of(chosen); }));
     options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
     options.make_idle({s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness"},
                       std::string("--covariance ") + name_of(s.covariance, covariance_names));

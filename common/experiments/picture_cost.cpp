@@ -124,11 +124,11 @@ PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSet
     return picture;
 }
 
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading) {
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
     std::string text = formatted(
         "# method  pool placement         known   samples       rmse     +-rmse correlation brightness "
-        "mc_samples%s%s\n",
-        more_heading, timed ? "  s/megapixel efficiency" : "");
+        "mc_samples%s\n",
+        timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
@@ -137,8 +137,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
         text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
                           name_of(s.method, method_names), s.pool, placement_names[number_of(s.placement)], row.known,
                           s.samples, rmse, row.rmse.standard_error(), row.correlation.mean, row.brightness.value(),
-                          static_cast<double>(s.samples) * gain) +
-                row.more;
+                          static_cast<double>(s.samples) * gain);
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);

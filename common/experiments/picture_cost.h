@@ -35,7 +35,6 @@ struct PictureCost {
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
     Statistics correlation = {};
     double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
-    std::string more = "";             // further cells of its line
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
@@ -52,5 +51,5 @@ PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSet
                          const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
 
 // A line for each picture; the first pictures are classic Monte Carlo's.
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const char* more_heading = "");
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
 }  // namespace bmc

@@ -1,5 +1,5 @@
-#include "light/load_environment.h"
 #include "base/parallel.h"
+#include "light/load_environment.h"
 
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
@@ -96,15 +96,15 @@ static inline Color desert_color(Color color, Vec3 d) {
     return {clamp01(color.x), clamp01(color.y), clamp01(color.z)};
 }
 
-// The light of this number in built_in_lights: what stands before ground and sky of a direction, or in their place.
-static inline Color light_color(std::size_t number, Color color, Vec3 d) {
-    if (number == 2) return d.x > 0 ? Color{1, 1, 1} : Color{};
-    const double of_sun = number == 1 ? 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun)) : 1;
-    return of_sun * desert_color(color, d);
+// The light from a direction whose ground and sky have this colour.
+static inline Color light_color(BuiltInLight light, Color color, Vec3 d) {
+    if (light == BuiltInLight::black_and_white) return d.x > 0 ? Color{1, 1, 1} : Color{};
+    const bool bright = light == BuiltInLight::bright_desert;
+    return (bright ? 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun)) : 1) * desert_color(color, d);
 }
 
 // The map of a light at the centres of texels.
-EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
+EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads) {
     constexpr int width = 1024, height = 512;
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
@@ -119,7 +119,7 @@ EnvironmentMap built_in_light(std::size_t number, std::size_t threads) {
         for (std::size_t i = 0; i < width && above < 1; ++i) colors[i] = ground(directions[i]);
         for (std::size_t i = 0; i < width && above > 0; ++i) colors[i] = mix(colors[i], sky(directions[i]), above);
         for (std::size_t i = 0; i < width; ++i)
-            map.set(static_cast<int>(i), j, light_color(number, colors[i], directions[i]));
+            map.set(static_cast<int>(i), j, light_color(light, colors[i], directions[i]));
     });
     return map;
 }

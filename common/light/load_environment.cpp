@@ -6,7 +6,7 @@
 namespace bmc {
 EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
     for (std::size_t i = 0; i < std::size(built_in_lights); ++i)
-        if (name == built_in_lights[i]) return built_in_light(i, threads);
+        if (name == built_in_lights[i]) return built_in_light(static_cast<BuiltInLight>(i), threads);
     std::vector<std::string> notes;
     const auto read = [&](std::istream& in) { return read_radiance_hdr(in, notes); };
     EnvironmentMap map =

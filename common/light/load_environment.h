@@ -12,8 +12,9 @@ namespace bmc {
 //   radiance in [0, 1].
 // - bright-desert: the same with a sun a thousand times as bright, as real suns are: it sends four fifths of the light.
 // - black-and-white: the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
+enum class BuiltInLight { desert, bright_desert, black_and_white };
 constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
-EnvironmentMap built_in_light(std::size_t number, std::size_t threads = 1);
+EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 
 // Reads a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
 // radiance = mantissa * 2^(exponent - 136), exactly, over the product of the EXPOSURE and COLORCORR lines. Scanlines

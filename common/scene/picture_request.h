@@ -13,7 +13,7 @@ struct PictureRequest : Experiment {
     double exposure = 0;  // in stops
 
     void add_options(Options& options) override;
-    std::string report() const override;  // the file
+    std::string report() const override;  // the file; throws what the Gaussian processes throw
 
     // max_process_samples, or for mc on a lattice, which makes no process, most_lattice_samples.
     std::size_t most_samples() const;
@@ -22,17 +22,7 @@ struct PictureRequest : Experiment {
     // Throws std::invalid_argument for more samples.
     void require_possible() const;
 
-    // The image of linear radiance. Throws what the Gaussian processes throw.
-    virtual Image image(const EnvironmentMap& light) const;
-
     // The image as a file; a PPM or BMP has 2^exposure times the radiance.
     std::string file(Image image) const;
 };
-
-// A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
-std::string two_digits(double number);
-
-// The image of linear radiance, after notes and warnings on stderr, with the cure of light that is missed. Throws what
-// the Gaussian processes throw.
-Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings, const char* cure = "");
 }  // namespace bmc

@@ -11,7 +11,7 @@ constexpr double bmc::Color::*channels[] = {&bmc::Color::x, &bmc::Color::y, &bmc
 
 // The pixels that differ.
 std::vector<std::size_t> differences(const Picture& reference, const Picture& actual, double tolerance) {
-    if (reference.format == bmc::Format::ppm) tolerance = 0;
+    if (!bmc::is_linear(reference.format)) tolerance = 0;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < reference.values.pixels.size(); ++i) {
         const bmc::Color a = reference.values.pixels[i], b = actual.values.pixels[i];

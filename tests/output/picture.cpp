@@ -100,7 +100,7 @@ Picture parse_picture(const std::string& bytes) {
 
 bmc::Image linear_light(const Picture& picture) {
     bmc::Image light = picture.values;
-    if (picture.format == bmc::Format::pfm) return light;
+    if (bmc::is_linear(picture.format)) return light;
     for (bmc::Color& c : light.pixels)
         c = {bmc::srgb_to_linear(c.x / 255), bmc::srgb_to_linear(c.y / 255), bmc::srgb_to_linear(c.z / 255)};
     return light;

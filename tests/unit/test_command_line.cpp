@@ -27,14 +27,10 @@ TEST_CASE("options take values in both spellings and leave the rest") {
     CHECK(!Values().flag);
 }
 
-TEST_CASE("an option with a name that is there takes the other's place") {
+TEST_CASE("an option has one name, and can be replaced by it") {
     Values values;
-    double other = 0;
-    values.options.add("real", "X", "", other, 0, 3);
-    CHECK(values.options.all.size() == 4);
-    parse({"--real=3"}, values.options);
-    CHECK(other == 3);
-    CHECK(values.options.all[1].name == "real");
+    CHECK(&values.options.named("real") == &values.options.all[1]);
+    CHECK_THROWS_WITH(values.options.named("rea"), "there is no option rea");
 }
 
 TEST_CASE("a mistake in an option is a message that names it") {
@@ -100,7 +96,7 @@ struct Echo : Experiment {
     void add_options(Options& options) override {
         options.add("text", "X", "what", text);
         options.add("more", "X", "", more);
-        if (text == "no") options.make_idle({"more", "other"}, "--text no");
+        if (text == "no") options.make_idle({"more"}, "--text no");
         if (text == "no") options.make_idle({"text"}, "itself");
     }
     std::string report() const override { return text + more; }

@@ -1,0 +1,21 @@
+// What the renderer says of a picture on stderr: what to expect of it, and what cures it.
+#pragma once
+
+#include "scene/render.h"
+
+namespace bmc {
+// A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
+std::string two_digits(double number);
+
+// Prints a note on what to expect of so many samples of this light, if they miss it, and returns whether they do: its
+// contrast c is above sqrt(samples) / 2, so that the error is above half of the picture's brightness.
+bool note_missed_light(const EnvironmentMap& light, std::size_t samples);
+
+// The image of linear radiance. Before it a warning, if the error of its rules is more than twice that of Monte Carlo
+// with as many samples in one of two worlds, a white one or one of noise (white_brightness, noise_gain). Throws what
+// the Gaussian processes throw.
+Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings);
+
+// Prints a warning if more than a tenth of the objects' pixels is brighter than white, at this exposure.
+void warn_of_exposure(const Image& image, double exposure);
+}  // namespace bmc

@@ -1,0 +1,103 @@
+#include "scene/advice.h"
+
+#include "light/texels_on_sphere.h"
+#include "test.h"
+
+TEST_CASE("more than a tenth of the objects' pixels above white gives a warning") {
+    const auto warning = [](double grey, double black_fraction, double exposure) {
+        Image image(50, 50);
+        double seen = 0, objects = 0;
+        for_each_hit(sphere_scene, {50, 50}, [&](int, int, const Hit&) { ++objects; });
+        for_each_hit(sphere_scene, {50, 50}, [&](int x, int y, const Hit&) {
+            if (++seen > black_fraction * objects) image(x, y) = {0, grey, 0};
+        });
+        return stderr_of([&] { warn_of_exposure(image, exposure); });
+    };
+    CHECK(warning(1, 0, 0) == "");
+    CHECK(warning(8, 0.91, 0) == "");
+    CHECK(warning(8, 0.89, 0) ==
+          Containing{"brighter than white; --exposure -3.0 makes the brightest hundredth white"});
+    CHECK(warning(4, 0, -0.5) == Containing{"--exposure -2.5 "});
+}
+
+TEST_CASE("of less than a hundred pixels the brightest is made white") {
+    Image rising(8, 8);
+    double stops = 0;
+    for_each_hit(sphere_scene, {8, 8}, [&](int x, int y, const Hit&) { rising(x, y).x = std::exp2(++stops); });
+    CHECK(stderr_of([&] { warn_of_exposure(rising, 0); }) == Containing{formatted("--exposure %.1f ", -stops)});
+}
+
+static std::string warning_of(RenderSettings settings) {
+    settings.width = settings.height = 1;
+    return stderr_of([&] { warned_picture(even_map(2, 2, 1), settings); });
+}
+
+// The noise passes both thresholds in small steps: weights cancel where it is small, and vanish where it is large.
+TEST_CASE("weights that cancel, or that make a white world dark, give a warning") {
+    RenderSettings settings = small_picture(Method::single, 85);
+    settings.covariance = CovarianceFamily::squared_exponential;
+    int close_to_gain = 0, close_to_dark = 0;
+    for (settings.noise = 30; settings.noise > 1e-5; settings.noise *= 0.85) {
+        const PixelRules rules(settings);
+        const QuadratureRule& rule = *rules.shared[0];
+        const double gain = noise_gain(rule), dark = 1 - white_brightness(rule), most = 2 / std::sqrt(3 * 85.0);
+        const std::string warning = warning_of(settings);
+        CAPTURE(settings.noise);
+        CHECK(contains(warning, "errors of samples " + two_digits(gain) + " times") == (gain > 2));
+        CHECK(contains(warning, formatted("%.0f %% too dark", 100 * dark)) == (gain <= 2 && dark > most));
+        CHECK(warning.empty() == (gain <= 2 && dark <= most));
+        close_to_gain += std::fabs(gain - 2) < 0.3;
+        close_to_dark += std::fabs(dark - most) < 0.05;
+    }
+    CHECK(close_to_gain >= 2);
+    CHECK(close_to_dark >= 2);
+}
+
+TEST_CASE("weights that are too bright give a warning, and the default cures them") {
+    RenderSettings settings = small_picture(Method::pool, 85, 12, cosine_lattice);
+    CHECK(warning_of(settings).empty());
+    settings.smoothness = 1.001;
+    CHECK(warning_of(settings) ==
+          Containing{
+              " % too bright, more than twice Monte Carlo's error; take the default method, covariance and noise"});
+}
+
+TEST_CASE("the defaults give no warning at any number of samples and placement") {
+    for (std::size_t placement = 0; placement < std::size(placement_names); ++placement)
+        for (const std::size_t samples : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 89u, 144u})
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                RenderSettings settings = RenderSettings();
+                settings.placement = placement_of(placement);
+                settings.samples = samples;
+                settings.seed = seed;
+                CHECK_MESSAGE(warning_of(settings).empty(),
+                              placement_names[placement] << ' ' << samples << ' ' << seed);
+            }
+}
+
+TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
+    for (const auto& [number, text] :
+         {std::pair(1.0, "1"), {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}, {2.04e79, "2e+79"}})
+        CHECK(two_digits(number) == text);
+}
+
+// A light of which one texel of the equator, the fraction f of all directions, has the radiance b, the others 1: its
+// mean is 1 + f (b - 1), its variance f (1 - f) (b - 1)^2.
+TEST_CASE("samples miss a light if its contrast is above half the root of their number") {
+    EnvironmentMap map = even_map(65, 33, 1);
+    map.set(20, 16, {1001, 1001, 1001});
+    const double f = TexelsOnSphere(map).solid_angle(16) / (4 * pi), c = 1000 * std::sqrt(f * (1 - f)) / (1 + 1000 * f);
+    CHECK(relative(contrast(map), c) < 1e-9);
+    const auto most = static_cast<std::size_t>(4 * c * c);
+    const auto note = [](const EnvironmentMap& light, std::size_t samples) {
+        bool missed = false;
+        const std::string text = stderr_of([&] { missed = note_missed_light(light, samples); });
+        CHECK(missed == !text.empty());
+        return text;
+    };
+    CHECK(note(map, most) == Containing{"note: expect an error of about 50 % of the picture's brightness with"});
+    CHECK(note(map, most) == Containing{formatted("%zu samples: the standard deviation of the light is", most)});
+    CHECK(note(map, most + 1).empty());
+    CHECK(note(map, 1) == Containing{"about " + two_digits(100 * c) + " %"});
+    CHECK(note(EnvironmentMap(2, 2), 1).empty());
+}
