@@ -1,7 +1,5 @@
 #include "beyond/known_light_cost.h"
 
-#include "light/load_environment.h"
-
 namespace bmc::beyond {
 static PictureCost picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
                                     Placement placement) {
@@ -30,47 +28,35 @@ static std::string with_column(std::string table, const std::vector<std::string>
     return table;
 }
 
-void KnownLightReport::add_options(Options& options) {
-    options.add("environment", "FILE", one_environment_help, environment);
-    add_cost_options(options, costs);
-}
-
-std::string KnownLightReport::report() const {
-    const std::vector<std::string> names = one_or_built_in_lights(environment);
-    std::string text;
-    Progress progress(static_cast<double>(names.size()));
-    for (const std::string& name : names) {
-        const EnvironmentMap map = load_environment(name);
-        const RenderSettings dense = row_settings(costs, {}, 10000);
-        const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
-        const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
-        const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, Placement{}),
-                                                compared_picture(map, Method::pool, 20, Placement{}),
-                                                compared_picture(map, Method::pool, 20, cosine_lattice, Known::cosine),
-                                                picture_of_known(light, Method::mc, 1, Placement{}),
-                                                picture_of_known(light, Method::pool, 20, Placement{}),
-                                                picture_of_known(light, Method::mc, 1, cosine_lattice),
-                                                picture_of_known(light, Method::pool, 20, cosine_lattice)};
-        std::vector<PictureCost> rows;
-        std::vector<std::string> predictions{"   predicted within"};
-        for (const PictureCost& each : compared)
-            for (const std::size_t n : {10u, 40u}) {
-                const EnvironmentLight& light_of_picture = each.known == std::string("light") ? light : unknown;
-                RootMeanSquare predicted;
-                Statistics covered;
-                rows.push_back(picture_cost(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
-                    const Image errors = predicted_errors(image, render(map, s, better_shader(light_of_picture, s)));
-                    predicted.add(root_mean_square(errors));
-                    covered.add(coverage(image, truth, errors));
-                }));
-                predictions.push_back(formatted("  %10.5f %6.3f", predicted.value(), covered.mean));
-                progress.done(0.5 / static_cast<double>(compared.size()));
-            }
-        text += (text.empty() ? "" : "\n\n") + ("# The sphere scene under " + name) +
-                ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"
-                "# errors within two predicted ones.\n" +
-                with_column(picture_table(rows, !costs.untimed), predictions);
-    }
-    return text;
+std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map, Progress& progress) const {
+    const RenderSettings dense = row_settings(costs, {}, 10000);
+    const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
+    const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
+    const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
+                                            compared_picture(map, Method::pool, 20, {}),
+                                            compared_picture(map, Method::pool, 20, cosine_lattice, Known::cosine),
+                                            picture_of_known(light, Method::mc, 1, {}),
+                                            picture_of_known(light, Method::pool, 20, {}),
+                                            picture_of_known(light, Method::mc, 1, cosine_lattice),
+                                            picture_of_known(light, Method::pool, 20, cosine_lattice)};
+    std::vector<PictureCost> rows;
+    std::vector<std::string> predictions{"   predicted within"};
+    for (const PictureCost& each : compared)
+        for (const std::size_t n : {10u, 40u}) {
+            const EnvironmentLight& light_of_picture = each.known == std::string("light") ? light : unknown;
+            RootMeanSquare predicted;
+            Statistics covered;
+            rows.push_back(picture_cost(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
+                const Image errors = predicted_errors(image, render(map, s, better_shader(light_of_picture, s)));
+                predicted.add(root_mean_square(errors));
+                covered.add(coverage(image, truth, errors));
+            }));
+            predictions.push_back(formatted("  %10.5f %6.3f", predicted.value(), covered.mean));
+            progress.done(0.5 / static_cast<double>(compared.size()));
+        }
+    return "# The sphere scene under " + name +
+           ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"
+           "# errors within two predicted ones.\n" +
+           with_column(picture_table(rows, !costs.untimed), predictions);
 }
 }  // namespace bmc::beyond

@@ -9,12 +9,8 @@ namespace bmc::beyond {
 double coverage(const Image& image, const Image& truth, const Image& predicted);
 
 // What `workbench known-light` prints.
-struct KnownLightReport : Experiment {
-    std::string environment;  // empty: the built-in lights
-    CostSettings costs;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
+struct KnownLightReport : PictureReport {
+    std::string table(const std::string& name, const EnvironmentMap& map, Progress& progress) const override;
 };
 
 // The commands of the workbench that go beyond the practice.

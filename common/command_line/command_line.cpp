@@ -20,9 +20,9 @@ static void write_all(const std::string& output) {
 }
 
 Option& Options::named(const std::string& name) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Option& each) { return each.name == name; });
-    if (found == all.end()) throw std::logic_error("there is no option " + name);
-    return *found;
+    for (Option& each : all)
+        if (each.name == name) return each;
+    throw std::logic_error("there is no option " + name);
 }
 
 // "mc, direct or pool".

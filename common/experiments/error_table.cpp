@@ -46,7 +46,7 @@ static double bmc_work(std::size_t samples) { return static_cast<double>(samples
 
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings, Progress& progress) {
-    std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples, {}, {}, {}});
+    std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
     for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done(mc_work(samples)))
         add_mc_errors(rows, integrands, directions_of_estimate(settings, samples, e));
     const auto covariance = settings.make_covariance();
@@ -56,10 +56,8 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
             add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, settings.known);
         }
     } catch (const NotPositiveDefinite& error) {
-        for (ErrorRow& row : rows) {
-            row.bmc = row.predicted = {};
-            row.failure = error.what();
-        }
+        print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());
+        for (ErrorRow& row : rows) row.bmc = row.predicted = {};
     }
     return rows;
 }
@@ -87,7 +85,7 @@ void ErrorTables::add_options(Options& options) {
 std::string ErrorTables::report() const {
     const std::vector<Integrand> integrands = practice_integrands(integrand);
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
-    std::string text, failed, reason;
+    std::string text;
     double all_work = 0;
     for (const std::size_t n : settings.samples)
         all_work += static_cast<double>(settings.mc_estimates) * mc_work(n) +
@@ -96,13 +94,9 @@ std::string ErrorTables::report() const {
     for (const std::size_t n : settings.samples) {
         const std::vector<ErrorRow> rows = error_rows(integrands, n, settings, progress);
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
-        if (rows[0].failure.empty()) continue;
-        failed += ' ' + std::to_string(n);
-        reason = rows[0].failure;
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
         text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement.arrangement);
-    if (!failed.empty()) print_note("warning: no Gaussian process with these samples:" + failed + "; " + reason);
     return text;
 }
 }  // namespace bmc

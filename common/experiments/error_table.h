@@ -2,10 +2,10 @@
 // samples.
 #pragma once
 
-#include "command_line/model_options.h"
-#include "experiments/integrands.h"
 #include "base/statistics.h"
 #include "base/terminal.h"
+#include "command_line/model_options.h"
+#include "experiments/integrands.h"
 
 namespace bmc {
 struct ErrorSettings : ModelSettings {
@@ -16,8 +16,7 @@ struct ErrorSettings : ModelSettings {
 // Absolute errors of both methods, and those that the process predicts, which has none if Q could not be factored.
 struct ErrorRow {
     std::size_t samples;
-    Statistics mc, bmc, predicted;
-    std::string failure = {};  // why Q could not be factored, if so
+    Statistics mc = {}, bmc = {}, predicted = {};
 
     // How many times larger the error of Monte Carlo is; nan if one of the two is 0.
     double gain() const { return mc.mean > 0 && bmc.mean > 0 ? mc.mean / bmc.mean : NAN; }
@@ -29,7 +28,7 @@ struct ErrorRow {
 
 // A row for each integrand, at least one. Every estimate has a fresh set of directions. Estimate e has the same set for
 // both methods, so that columns differ by the method and not by luck, and for all integrands, so that its rule is made
-// once.
+// once. A warning says why a Q could not be factored.
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings, Progress& progress);
 
@@ -43,6 +42,6 @@ struct ErrorTables : Experiment {
     ErrorSettings settings;
 
     void add_options(Options& options) override;
-    std::string report() const override;  // a warning names the samples whose Q cannot be factored
+    std::string report() const override;
 };
 }  // namespace bmc

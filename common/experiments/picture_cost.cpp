@@ -41,10 +41,21 @@ static std::size_t seeds_of(const RenderSettings& settings) {
     return rules == 0 ? 16 : std::max<std::size_t>(16, 64 / rules);
 }
 
-void add_cost_options(Options& options, CostSettings& costs) {
+void PictureReport::add_options(Options& options) {
+    options.add("environment", "FILE", "one light, as for the renderer (default: each built-in light)", environment);
     options.add("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 2, 1024);
     options.add("seed", "K", "seed of the random numbers (default 1)", costs.seed, 0, UINT64_MAX);
     options.add("no-times", "leaves out what is measured and differs from run to run", costs.untimed);
+}
+
+std::string PictureReport::report() const {
+    const std::vector<std::string> all(std::begin(built_in_lights), std::end(built_in_lights));
+    const std::vector<std::string> names = environment.empty() ? all : std::vector{environment};
+    Progress progress(static_cast<double>(names.size()));
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : "\n\n") + table(name, load_environment(name), progress);
+    return text;
 }
 
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples) {

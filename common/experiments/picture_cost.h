@@ -1,8 +1,9 @@
 // What accuracy costs: the seconds of a call, and the sphere scene by every method against a dense quadrature.
 #pragma once
 
-#include "command_line/command_line.h"
 #include "base/statistics.h"
+#include "command_line/command_line.h"
+#include "light/load_environment.h"
 #include "scene/render.h"
 
 namespace bmc {
@@ -15,8 +16,17 @@ struct CostSettings {
     bool untimed = false;
 };
 
-// size, seed, no-times.
-void add_cost_options(Options& options, CostSettings& costs);
+// A report on pictures under one light, or under each of the built-in ones.
+struct PictureReport : Experiment {
+    std::string environment;  // empty: the built-in lights
+    CostSettings costs;
+
+    void add_options(Options& options) override;
+    std::string report() const override;
+
+    // The table of a light of this name. progress has one part for each light.
+    virtual std::string table(const std::string& name, const EnvironmentMap& light, Progress& progress) const = 0;
+};
 
 // The error of an image, over the pixels that show an object.
 struct ImageError {

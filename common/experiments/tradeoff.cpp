@@ -1,6 +1,5 @@
 #include "experiments/tradeoff.h"
 
-#include "light/load_environment.h"
 #include "light/texels_on_sphere.h"
 
 #include <numeric>
@@ -77,31 +76,24 @@ static const char* const measured =
 )";
 
 void TradeoffReport::add_options(Options& options) {
-    options.add("environment", "FILE", one_environment_help, environment);
+    PictureReport::add_options(options);
     add_sample_list(options, samples);
-    add_cost_options(options, costs);
 }
 
-std::string TradeoffReport::report() const {
-    const std::vector<std::string> names = one_or_built_in_lights(environment);
-    Progress progress(static_cast<double>(names.size()));
-    std::string text = costs.untimed ? "" : rule_report();
-    for (const std::string& name : names) {
-        const EnvironmentMap light = load_environment(name);
-        const PictureCost dense = compared_picture(light, Method::mc, 1, cosine_lattice);
-        const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
-        const std::vector<PictureCost> compared = compared_pictures(light);
-        std::vector<PictureCost> rows;
-        for (const PictureCost& each : compared)
-            for (const std::size_t n : samples) {
-                rows.push_back(picture_cost(each, n, costs, truth));
-                progress.done(1.0 / static_cast<double>(compared.size() * samples.size()));
-            }
-        text += (name == names[0] ? "" : "\n\n") +
-                formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
-                name + formatted(", c = %.2g.\n", contrast(light)) + meaning + (costs.untimed ? "" : measured) +
-                picture_table(rows, !costs.untimed);
-    }
-    return text;
+std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
+
+std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light, Progress& progress) const {
+    const PictureCost dense = compared_picture(light, Method::mc, 1, cosine_lattice);
+    const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
+    const std::vector<PictureCost> compared = compared_pictures(light);
+    std::vector<PictureCost> rows;
+    for (const PictureCost& each : compared)
+        for (const std::size_t n : samples) {
+            rows.push_back(picture_cost(each, n, costs, truth));
+            progress.done(1.0 / static_cast<double>(compared.size() * samples.size()));
+        }
+    return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
+           name + formatted(", c = %.2g.\n", contrast(light)) + meaning + (costs.untimed ? "" : measured) +
+           picture_table(rows, !costs.untimed);
 }
 }  // namespace bmc

@@ -10,12 +10,11 @@ namespace bmc {
 std::vector<double> rule_seconds(std::size_t n);
 
 // What `workbench tradeoff` prints.
-struct TradeoffReport : Experiment {
-    std::string environment;  // empty: the built-in lights
+struct TradeoffReport : PictureReport {
     std::vector<std::size_t> samples{10, 40};
-    CostSettings costs;
 
     void add_options(Options& options) override;
     std::string report() const override;
+    std::string table(const std::string& name, const EnvironmentMap& light, Progress& progress) const override;
 };
 }  // namespace bmc

@@ -23,15 +23,8 @@ EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 // std::runtime_error: one line with the problem, and with what converts a picture of another kind.
 EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes);
 
-// One light, or the built-in ones if the name is empty.
-inline std::vector<std::string> one_or_built_in_lights(const std::string& name) {
-    if (!name.empty()) return {name};
-    return {std::begin(built_in_lights), std::end(built_in_lights)};
-}
-
 // The help text of an option that takes the name of a light.
 constexpr const char* environment_help = "an .hdr file (-: stdin), bright-desert, black-and-white (default desert)";
-constexpr const char* one_environment_help = "one light, as for the renderer (default: each built-in light)";
 
 // The built-in light of this name, or else the one in the .hdr file; "-" is standard input. threads: how many to use.
 // Prints notes of what is unusual in the file. Throws std::runtime_error, one line that names the file.

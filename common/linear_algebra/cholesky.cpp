@@ -8,8 +8,10 @@ namespace bmc {
 double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot) {
     const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(diagonal[m]);
     if (!(pivot > least))
-        throw NotPositiveDefinite(formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g",
-                                            diagonal.size(), m + 1, pivot));
+        throw NotPositiveDefinite(
+            formatted("the matrix of %zu rows is not positive definite: pivot %zu is %.3g; with more noise on its "
+                      "diagonal, such as 0.1, it would be",
+                      diagonal.size(), m + 1, pivot));
     return std::sqrt(pivot);
 }
 

@@ -56,20 +56,11 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
-static Cholesky factored(Matrix q) {
-    try {
-        return Cholesky(std::move(q));
-    } catch (const NotPositiveDefinite& error) {
-        throw NotPositiveDefinite(error.what() +
-                                  std::string("; take the default covariance and noise, or a noise of 0.1"));
-    }
-}
-
 // In the order of the members: each uses those before it.
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions)
     : directions(checked(std::move(unit_directions), noise)),
       z(z_of(covariance, directions)),
-      cholesky(factored(covariance_matrix(covariance, noise, directions))),
+      cholesky(covariance_matrix(covariance, noise, directions)),
       weights(bayesian_weights(cholesky, z)),
       zz(covariance.zz()),
       variance(posterior_variance(zz, z, weights)) {}

@@ -6,8 +6,8 @@
 // of integrals and threads.
 #pragma once
 
-#include "linear_algebra/cholesky.h"
 #include "base/vec3.h"
+#include "linear_algebra/cholesky.h"
 #include "quadrature/covariance.h"
 
 namespace bmc {

@@ -33,7 +33,7 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool practice = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
     if (known == Known::cosine && !practice)
-        throw std::invalid_argument("--known: only --covariance sobolev --smoothness 1.5 has z in closed form for it");
+        throw std::invalid_argument("the known part cosine needs the covariance sobolev of smoothness 1.5");
     if (known == Known::cosine) return std::make_shared<SobolevKnownCosine>();
     if (practice) return std::make_shared<Sobolev>();
     switch (covariance) {

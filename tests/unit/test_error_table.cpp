@@ -15,7 +15,7 @@ TEST_CASE("an error of rounding counts as none, a larger one counts, however sma
 }
 
 TEST_CASE("a line of the table has four digits, and - for what has no meaning") {
-    ErrorRow row{10, {}, {}, {}, "refused"};
+    ErrorRow row{10};
     for (const double error : {0.123456, 0.223456}) row.mc.add(error);
     const auto check = [&](Arrangement arrangement, const std::string& line) {
         CHECK(rows_of(error_report(cosine_integrand, {row}, arrangement)) == rows_of(line));
