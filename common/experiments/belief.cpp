@@ -1,6 +1,7 @@
 #include "experiments/belief.h"
 
 #include "base/parallel.h"
+#include "base/statistics.h"
 
 #include "experiments/integrands.h"
 #include "scene/image.h"
@@ -12,6 +13,7 @@ namespace bmc {
 constexpr int disc = 200, subpixels = 3;  // pixels on a side of a disc; subpixels on a side of a pixel
 constexpr double error_scale = 2.5;       // in the last two discs a luminance of 0.4 is white
 constexpr double dot_radius = 0.018;      // of a sample's dot, in radii of the disc
+constexpr double least_seen = 0.3;        // of a light's root mean square; with less, nine in ten bars are false
 constexpr Color white{1, 1, 1}, grey{0.18, 0.18, 0.18};
 
 // Q^-1 Y of colours Y.
@@ -23,6 +25,21 @@ static std::vector<Color> solved(const Cholesky& cholesky, std::vector<Color> co
         for (std::size_t j = 0; j < values.size(); ++j) colors[j].*channel = values[j];
     }
     return colors;
+}
+
+// all: the root mean square of the light, where values are its samples. An error bar does not know what none has met.
+static void print_estimate(const GaussianProcess& process, const std::vector<double>& values, double truth,
+                           double all) {
+    const double error = process.standard_error(values);
+    print_note(formatted("estimate %.5g, standard error %s, truth %.5g", process.integral(values),
+                         error > 0 ? formatted("%.3g", error).c_str() : "unknown", truth));
+    RootMeanSquare seen;
+    for (const double value : values) seen.add(value);
+    if (seen.value() < least_seen * all)
+        print_note(
+            formatted("note: the samples have seen %.2g %% of this light (root mean square), and the standard "
+                      "error knows of no more",
+                      100 * seen.value() / all));
 }
 
 void Belief::add_options(Options& options) {
@@ -44,9 +61,9 @@ std::string Belief::report() const {
     };
     const auto incident = [&](Vec3 w) { return luminance(light(w)) * known_part(settings.known, w); };
     const std::vector<double> values = evaluate(incident, process.directions, settings.known);
-    const double error = process.standard_error(values);
-    print_note(formatted("estimate %.5g, standard error %s, truth %.5g", process.integral(values),
-                         error > 0 ? formatted("%.3g", error).c_str() : "unknown", reference_integral(incident)));
+    const auto square = [&](Vec3 w) { return luminance(light(w)) * incident(w); };
+    print_estimate(process, values, reference_integral(incident),
+                   std::sqrt(reference_integral(square) / known_integral(settings.known)));
 
     std::vector<Color> seen;
     for (const Vec3& direction : process.directions) seen.push_back(light(direction));

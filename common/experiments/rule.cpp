@@ -17,7 +17,7 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
 // 17 digits are a double: read_samples reads the directions that are printed here.
 static std::string weights_block(const GaussianProcess& process, Known known) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
-    std::size_t negative = 0;
+    int negative = 0;
     double sum = 0;
     for (std::size_t i = 0; i < process.weights.size(); ++i) {
         const Vec3 w = process.directions[i];
@@ -30,15 +30,12 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
     const double integral = known_integral(known), ratio = sum / integral;
     return text + formatted(
                       R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
-# rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). %s negative.
+# rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). Negative weights: %d.
 # A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
 # of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 )",
                       sum, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
-                      negative == 0   ? "No weight is"
-                      : negative == 1 ? "1 weight is"
-                                      : formatted("%zu weights are", negative).c_str(),
-                      white_brightness(rule), noise_gain(rule));
+                      negative, white_brightness(rule), noise_gain(rule));
 }
 
 static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
@@ -47,8 +44,9 @@ static std::string estimate_line(const GaussianProcess& process, Known known, co
     if (!std::isfinite(estimate) || !std::isfinite(amplitude) || std::isinf(error))
         throw std::runtime_error(
             "the values are too large: a sum exceeds the largest number, 1.8e308; scale them down");
-    std::string bar = formatted("%.6g", error);
-    if (std::isnan(error)) bar = "unknown: what is left of the variance is rounding; more noise makes it larger";
+    std::string bar = formatted("%.6g", error) +
+                      "\n# It knows what the samples have seen; a lamp that none of them met is not in it.";
+    if (std::isnan(error)) bar = "unknown: what is left of the variance may be rounding; more noise makes it larger";
     if (amplitude == 0) bar = "unknown: the values are 0, or too small to be squared";
     return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error ",
                      known == Known::cosine ? " times cos(theta)" : "", estimate, amplitude) +

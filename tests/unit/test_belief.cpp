@@ -48,3 +48,18 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     CHECK(byte(x, y) == 255);
     CHECK(std::min(byte(x + 2, y), byte(x + 3, y)) < 160);
 }
+
+// One column of 63 has 512 where all others have 1/2: a lamp, which the only sample misses. Interpolated between columns
+// it has the mean square (2/3) 512^2 / 63, of whose root 1/2 is 0.95 %; the sphere hides a little of it.
+TEST_CASE("belief says that its samples have missed a lamp, and does not where there is none") {
+    const auto notes = [](char exponent) {
+        std::string texels;
+        for (int x = 0; x < 64; ++x) texels += "\200\200\200" + std::string(1, x == 4 ? exponent : '\200');
+        const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 64\n" + texels);
+        Belief belief;
+        parse({"--environment", light.name, "--samples=1", "--placement=fibonacci"}, belief.options());
+        return stderr_of([&] { belief.report(); });
+    };
+    CHECK(notes('\212') == Containing{"note: the samples have seen 0.9"});
+    CHECK(!contains(notes('\200'), "note:"));
+}
