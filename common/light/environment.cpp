@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace bmc {
-EnvironmentMap::EnvironmentMap(int columns, int rows, std::vector<float> rgb)
-    : TexelGrid{columns, rows}, rgb_(std::move(rgb)) {
-    rgb_.insert(rgb_.begin(), 3, 0);  // texel 0
-    rgb_.resize(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-}
-
 Color EnvironmentMap::interpolated(double u, double v) const {
     const int columns = std::max(width - 1, 1), left = static_cast<int>(std::floor(u)) + columns;
     const int above = static_cast<int>(std::floor(v));

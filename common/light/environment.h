@@ -24,10 +24,9 @@ class EnvironmentMap : public TexelGrid {
 public:
     static constexpr int max_texels = 1 << 26;
 
-    // rgb: linear RGB radiance, interleaved, height rows of width texels, row 0 at the top; finite and >= 0. There are
-    // 1 to max_texels of them: read_radiance_hdr throws for anything else. A map without rgb is black, to be filled
-    // with set: finite radiance >= 0.
-    EnvironmentMap(int width, int height, std::vector<float> rgb = {});
+    // Black, with 1 to max_texels texels, to be filled with linear RGB radiances, finite and >= 0; row 0 at the top.
+    EnvironmentMap(int columns, int rows)
+        : TexelGrid{columns, rows}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
     void set(int x, int y, Color radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
         for (const double channel : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(channel);

@@ -16,11 +16,11 @@ enum class BuiltInLight { desert, bright_desert, black_and_white };
 constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
 EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 
-// Reads a Radiance picture (.hdr, RGBE; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
-// radiance = mantissa * 2^(exponent - 136), exactly, over the product of the EXPOSURE and COLORCORR lines. Scanlines
-// may be flat or run-length coded, but not in the way of before 1991; the resolution line must be "-Y height +X width".
-// Memory grows with what the file holds. Adds notes, a line each, of what was not as it should be. Throws
-// std::runtime_error: one line with the problem, and with what converts a picture of another kind.
+// Reads a Radiance picture (.hdr; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB radiance
+// = mantissa * 2^(exponent - 136), exactly, over the product of the EXPOSURE and COLORCORR lines; XYZ is converted. Any
+// orientation, and scanlines that are flat, run-length coded, or coded in the way of before 1991. Memory grows with
+// what the file holds. Adds notes, a line each, of what was not as it should be. Throws std::runtime_error: one line
+// with the problem, and with what converts a picture of another kind.
 EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes);
 
 // The help text of an option that takes the name of a light.

@@ -1,63 +1,77 @@
 #include "light/load_environment.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <istream>
+#include <set>
 #include <stdexcept>
 
 namespace bmc {
 using Rgbe = std::array<unsigned char, 4>;
 
-static std::string header_line(std::istream& in) {
-    char line[4096];
-    if (!in.getline(line, sizeof line))
-        throw std::runtime_error(in.eof() ? "the file ends inside the header" : "a line of the header is too long");
-    std::string text = line;
-    if (!text.empty() && text.back() == '\r') text.pop_back();
-    return text;
-}
-
-constexpr const char* converter = "; `oiiotool in -o out.hdr` converts it";
-
 static bool begins_with(const std::string& text, const std::string& beginning) {
     return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-// The text after the first '=', without blanks around it.
-static std::string value_in(const std::string& line) {
-    const std::size_t begin = line.find_first_not_of(" \t", line.find('=') + 1), end = line.find_last_not_of(" \t");
-    return begin == std::string::npos ? "" : line.substr(begin, end - begin + 1);
-}
-
-// The header, and what it says of each channel: the radiances of the file are so many times the true ones.
 struct Header {
-    int width, height;
-    double factors[3] = {1, 1, 1};
+    char signs[2][2], names[2][2];  // of the axis of the scanlines, and of that of the texels in each
+    int counts[2];
+    double factors[3] = {1, 1, 1};  // a channel of the file is so many times the true one
+    bool is_xyz = false;
 };
 
-// EXPOSURE has one factor, COLORCORR one for each channel. Several lines multiply.
-static void multiply(Header& header, const std::string& line, std::vector<std::string>& notes) {
-    double f[3] = {0, 0, 0};
-    char more;
-    const std::string value = value_in(line);
-    bool right = std::sscanf(value.c_str(), "%lf %lf %lf %c", &f[0], &f[1], &f[2], &more) == 3;
-    if (begins_with(line, "EXPOSURE=")) {
-        right = std::sscanf(value.c_str(), "%lf %c", &f[0], &more) == 1;
-        f[1] = f[2] = f[0];
-    }
-    for (const double factor : f) right = right && factor >= 1e-6 && factor <= 1e6;
-    if (!right) notes.push_back("'" + line + "' is not from 1e-6 to 1e6, and counts as 1");
-    for (int i = 0; right && i < 3; ++i) header.factors[i] *= f[i];
+// Without the white space at its end.
+static std::string header_line(std::istream& in) {
+    char line[4096];
+    if (!in.getline(line, sizeof line))
+        throw std::runtime_error(in.eof() ? "the file ends inside the header"
+                                          : "a line of the header is longer than 4095 bytes; delete it, or its end");
+    const std::string text = line;
+    return text.substr(0, text.find_last_not_of(" \t\r") + 1);
 }
+
+// The colours that Radiance takes as standard. Those of sRGB are near them.
+constexpr double standard_primaries[] = {0.64, 0.33, 0.29, 0.6, 0.15, 0.06, 0.333, 0.333};
+
+// EXPOSURE has one factor, COLORCORR one for each channel. Several lines multiply. Photoshop's PRIMARIES are zeros.
+static void read_variable(std::string line, Header& header, std::vector<std::string>& notes) {
+    std::array<double, 8> numbers;  // zeros from the first that is none
+    char* rest = line.data() + std::min(line.find('='), line.size() - 1) + 1;
+    for (double& number : numbers) number = std::strtod(rest, &rest);
+    const auto near = [](double a, double b) { return std::fabs(a - b) < 0.025; };
+    const auto fits = [](double factor) { return factor >= 1e-6 && factor <= 1e6; };
+    if (begins_with(line, "PRIMARIES=") && numbers[0] != 0 &&
+        !std::equal(numbers.begin(), numbers.end(), standard_primaries, near))
+        notes.push_back("'" + line + "' is not converted: its colours count as the standard ones");
+    if (begins_with(line, "EXPOSURE=")) numbers.fill(numbers[0]);
+    if (!begins_with(line, "EXPOSURE=") && !begins_with(line, "COLORCORR=")) return;
+    if (!std::all_of(numbers.begin(), numbers.begin() + 3, fits))
+        return notes.push_back("'" + line + "' is not from 1e-6 to 1e6, and counts as 1");
+    for (std::size_t i = 0; i < 3; ++i) header.factors[i] *= numbers[i];
+}
+
+constexpr const char* converter = "; `oiiotool in -o out.hdr` converts it";
+constexpr const char* decoder = "; `oiiotool in --colorconvert sRGB linear -o out.hdr` makes light of them";
+
+// What files of other kinds begin with, and what makes light of them.
+constexpr const char* others[][3] = {{"v/1\1", "an OpenEXR picture", converter},
+                                     {"II*", "a TIFF picture", converter},
+                                     {"MM", "a TIFF picture", converter},
+                                     {"PF", "a PFM picture", converter},
+                                     {"\x89PNG", "a PNG picture, which holds codes", decoder},
+                                     {"\xff\xd8", "a JPEG picture, which holds codes", decoder},
+                                     {"version ", "a pointer of git-lfs", "; `git lfs pull` gets the file"},
+                                     {"", "not a Radiance picture, whose first line begins with #?", ""}};
 
 // The first line is #? and the name of a program, any.
 static void read_signature(std::istream& in) {
+    if (in.peek() == '#' && begins_with(header_line(in), "#?")) return;
     char start[9] = {};
-    if (in.peek() != '#') in.get(start, sizeof start, '\0');
-    if (begins_with(start, "v/1\1")) throw std::runtime_error(std::string("an OpenEXR picture") + converter);
-    if (begins_with(start, "version ")) throw std::runtime_error("a pointer of git-lfs; `git lfs pull` gets the file");
-    if (*start || !begins_with(header_line(in), "#?"))
-        throw std::runtime_error(std::string("not a Radiance picture, whose first line begins with #?") + converter);
+    in.get(start, sizeof start, '\0');
+    for (const auto& [beginning, kind, cure] : others)
+        if (begins_with(start, beginning)) throw std::runtime_error(std::string(kind) + cure);
 }
 
 static Header read_header(std::istream& in, std::vector<std::string>& notes) {
@@ -66,20 +80,24 @@ static Header read_header(std::istream& in, std::vector<std::string>& notes) {
     Header header{};
     int lines = 0;
     for (std::string line = header_line(in); !line.empty(); line = header_line(in)) {
-        if (++lines > 1000) throw std::runtime_error("the header has more than 1000 lines");
-        if (begins_with(line, "FORMAT=") && value_in(line) != "32-bit_rle_rgbe")
-            throw std::runtime_error("'" + line + "' is not supported, only 32-bit_rle_rgbe is" + converter);
-        if (begins_with(line, "EXPOSURE=") || begins_with(line, "COLORCORR=")) multiply(header, line, notes);
+        if (++lines > 1000)
+            throw std::runtime_error("the header has more than 1000 lines; delete those that have no '='");
+        read_variable(line, header, notes);
+        if (!begins_with(line, "FORMAT=")) continue;
+        const std::string format = line.substr(line.find_last_of("= \t") + 1);
+        header.is_xyz = format == "32-bit_rle_xyze";
+        if (!header.is_xyz && format != "32-bit_rle_rgbe")
+            throw std::runtime_error("'" + line + "' is neither 32-bit_rle_rgbe nor 32-bit_rle_xyze");
     }
     const std::string line = header_line(in);
-    char a, b, c, d, more;
-    if (std::sscanf(line.c_str(), "%c%c %9d %c%c %9d %c", &a, &b, &header.height, &c, &d, &header.width, &more) != 6 ||
-        header.height < 1 || header.width < 1 ||
-        std::int64_t{header.height} * header.width > EnvironmentMap::max_texels)
+    char more;
+    auto& [signs, names, counts, factors, is_xyz] = header;
+    if (std::sscanf(line.c_str(), "%1[-+]%1[XY] %9d %1[-+]%1[XY] %9d %c", signs[0], names[0], &counts[0], signs[1],
+                    names[1], &counts[1], &more) != 6 ||
+        *names[0] == *names[1] || counts[0] < 1 || counts[1] < 1 ||
+        std::int64_t{counts[0]} * counts[1] > EnvironmentMap::max_texels)
         throw std::runtime_error("resolution line '" + line + "': it should be '-Y height +X width', with at most " +
                                  std::to_string(EnvironmentMap::max_texels) + " texels");
-    if (a != '-' || b != 'Y' || c != '+' || d != 'X')
-        throw std::runtime_error("'" + line + "' is an orientation that is not supported, only -Y +X is" + converter);
     return header;
 }
 
@@ -92,8 +110,6 @@ static unsigned char byte(std::istream& in) {
 static Rgbe texel(std::istream& in) {
     Rgbe rgbe;
     for (unsigned char& component : rgbe) component = byte(in);
-    if (rgbe[0] == 1 && rgbe[1] == 1 && rgbe[2] == 1)
-        throw std::runtime_error(std::string("its runs are of before 1991") + converter);
     return rgbe;
 }
 
@@ -109,38 +125,76 @@ static void read_component(std::istream& in, std::vector<Rgbe>& scanline, std::s
     }
 }
 
-// Run-length coded scanlines begin with a texel (2, 2, high, low), which is no colour. All others are flat.
+// Run-length coded scanlines begin with a texel (2, 2, high, low), which is no colour. In the others, as before 1991, a
+// texel (1, 1, 1, n) repeats the one before n times, and another behind it 256 times as often.
 static void read_scanline(std::istream& in, std::size_t width, std::vector<Rgbe>& scanline) {
-    scanline.assign(1, texel(in));
-    const auto [two, also_two, high, low] = scanline[0];
-    if (two != 2 || also_two != 2 || high >= 128 || width < 8 || width > 32767) {
-        while (scanline.size() < width) scanline.push_back(texel(in));
-    } else {
+    Rgbe next = texel(in);
+    const auto [two, also_two, high, low] = next;
+    if (two == 2 && also_two == 2 && high < 128 && width >= 8 && width <= 32767) {
         if (high * 256u + low != width)
             throw std::runtime_error("the scanline announces another width than the header");
         scanline.resize(width);
         for (std::size_t component = 0; component < 4; ++component) read_component(in, scanline, component);
+        return;
+    }
+    scanline.clear();
+    for (std::size_t unit = 1;; next = texel(in)) {
+        const bool repeats = next[0] == 1 && next[1] == 1 && next[2] == 1;
+        const std::size_t count = repeats ? next[3] * unit : 1;
+        if ((repeats && scanline.empty()) || count > width - scanline.size())
+            throw std::runtime_error("a run has no texel before it, or ends after the scanline");
+        scanline.insert(scanline.end(), count, repeats ? scanline.back() : next);
+        if (scanline.size() == width) return;
+        unit = repeats ? std::min(unit * 256, std::size_t{1} << 24) : 1;
     }
 }
 
-// Without factors radiances are exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
+// CIE XYZ to RGB of Radiance's standard primaries, as in its spec_rgb.c. XYZ counts lumens, of which a watt has 179.
+constexpr Vec3 rgb_of_xyz[] = {
+    {2.5653128, -1.1668496, -0.3984632}, {-1.0221082, 1.9782866, 0.0438216}, {0.0747244, -0.2519396, 1.1772152}};
+
+// Without factors RGB is exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
+static Color radiance(const Rgbe& rgbe, const Header& header) {
+    const double scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0, rgbe[3] - 136);
+    const double* factors = header.factors;
+    Color color{rgbe[0] * scale / factors[0], rgbe[1] * scale / factors[1], rgbe[2] * scale / factors[2]};
+    if (header.is_xyz) {
+        const auto channel = [&](Vec3 row) { return std::max(0.0, dot(row, color)) / 179; };
+        color = {channel(rgb_of_xyz[0]), channel(rgb_of_xyz[1]), channel(rgb_of_xyz[2])};
+    }
+    if (!(std::max({color.x, color.y, color.z}) <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
+    return color;
+}
+
 EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes) {
     const Header header = read_header(in, notes);
-    std::vector<Rgbe> scanline;
-    std::vector<float> rgb;
-    for (int row = 0; row < header.height; ++row) {
-        read_scanline(in, static_cast<std::size_t>(header.width), scanline);
-        for (const Rgbe& rgbe : scanline) {
-            const double scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0, rgbe[3] - 136);
-            for (std::size_t i = 0; i < 3; ++i) {
-                const double radiance = rgbe[i] * scale / header.factors[i];
-                if (!(radiance <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
-                rgb.push_back(static_cast<float>(radiance));
-            }
-        }
+    const int* counts = header.counts;
+    std::vector<Rgbe> texels, scanline;
+    for (int i = 0; i < counts[0]; ++i) {
+        read_scanline(in, static_cast<std::size_t>(counts[1]), scanline);
+        texels.insert(texels.end(), scanline.begin(), scanline.end());
     }
     if (in.peek() != std::char_traits<char>::eof())
         notes.push_back("bytes follow the last scanline; is the picture as it should be?");
-    return EnvironmentMap(header.width, header.height, std::move(rgb));
+    EnvironmentMap map(counts[*header.names[0] == 'Y'], counts[*header.names[0] == 'X']);
+    std::set<double> values;  // the first of them, more than an 8-bit picture has
+    for (int i = 0; i < counts[0] * counts[1]; ++i) {
+        const int numbers[] = {i / counts[1], i % counts[1]};
+        int place[2];
+        for (const int axis : {0, 1}) {
+            const bool is_y = *header.names[axis] == 'Y', backward = *header.signs[axis] == (is_y ? '+' : '-');
+            place[is_y] = backward ? counts[axis] - 1 - numbers[axis] : numbers[axis];
+        }
+        const Color color = radiance(texels[static_cast<std::size_t>(i)], header);
+        map.set(place[0], place[1], color);
+        if (values.size() <= 257) values.insert({color.x, color.y, color.z});
+    }
+    const double codes = *values.rbegin() > 1 ? 1 : 256;  // in a radiance of 1
+    const auto is_code = [&](double value) {
+        return codes * value <= 256 && codes * value == std::floor(codes * value);
+    };
+    if (values.size() > 32 && std::all_of(values.begin(), values.end(), is_code))
+        notes.push_back(std::string("its values are the codes of an 8-bit picture, not radiances") + decoder);
+    return map;
 }
 }  // namespace bmc

@@ -66,6 +66,8 @@ Picture parse_picture(const std::string& bytes) {
     int width = 0, height = 0;
     double top = 0;  // PPM: the largest code; PFM: its size is a factor of all values
     const bool header = read_word(in, magic) && read_word(in, width) && read_word(in, height) && read_word(in, top);
+    if (magic.compare(0, 2, "\xff\xfe") == 0)
+        throw std::runtime_error("it is UTF-16, as PowerShell's > writes it; cmd /c \"PROGRAM > FILE\" does not");
     if (magic != "P3" && magic != "P6" && magic != "PF")
         throw std::runtime_error("it begins with none of P6, P3, PF and #?; a PPM, PFM or .hdr file does");
     const bool floats = magic == "PF", text = magic == "P3";

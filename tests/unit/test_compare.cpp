@@ -82,6 +82,7 @@ TEST_CASE("a picture that is not read is named: how many bytes, text mode, anoth
     CHECK(difference("P6\r\n2 1\r\n255\r\na\r\nbcde") ==
           Containing{"last pixel: 2; it was written in text mode, with CR before LF: open the file in binary mode"});
     CHECK(difference("\x89PNG\r\n") == Containing{"it begins with none of P6, P3, PF and #?"});
+    CHECK(difference(std::string("\xff\xfeP\0006\0", 6)) == Containing{"it is UTF-16, as PowerShell's > writes it"});
     CHECK(difference("P6\n2 1\n65535\nabcdef") == Containing{"its largest code is 65535; only 255 is supported"});
     CHECK(difference("P6\n2 0\n255\n") == Containing{"its size 2 x 0 is not from 1 x 1"});
     CHECK(difference("P6\n2") == Containing{"it ends inside the header"});

@@ -40,17 +40,84 @@ TEST_CASE("a file's radiances are the true ones times all of its exposures") {
     CHECK(channels(read_hdr("#?RGBE\nEXPOSURE=2\nEXPOSURE= 0.25" + rest)) == std::vector<double>{2, 4, 6});
     CHECK(channels(read_hdr("#?RGBE\nCOLORCORR=1 0.5 2\nCOLORCORR= 2 2 2 " + rest)) ==
           std::vector<double>{0.5, 2, 0.75});
+    CHECK(channels(read_hdr("#?RGBE\nEXPOSURE=.5e0, once\nCOLORCORR=1 1 1 2" + rest)) == std::vector<double>{2, 4, 6});
     CHECK(notes.empty());
 }
 
 TEST_CASE("an exposure that is none, or out of range, counts as 1, with a note") {
     const std::string rest = "\n\n-Y 1 +X 1\n" + bytes_of({1, 2, 3, 136});
-    for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1e7", "EXPOSURE=1 x",
-                                   "EXPOSURE=", "COLORCORR=1 1", "COLORCORR=1 1 0", "COLORCORR=1 1 1 1"}) {
+    for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1e7", "EXPOSURE=x 1",
+                                   "EXPOSURE=", "COLORCORR=1 1", "COLORCORR=1 1 0", "COLORCORR=1e7 1 1"}) {
         CAPTURE(line);
         CHECK(channels(read_hdr("#?RADIANCE\n" + line + rest)) == std::vector<double>{1, 2, 3});
         CHECK(notes == std::vector<std::string>{"'" + line + "' is not from 1e-6 to 1e6, and counts as 1"});
     }
+}
+
+TEST_CASE("colours that are not the standard ones, nor none, get a note") {
+    for (const std::string line : {"PRIMARIES=0.64 0.33 0.29 0.6 0.15 0.06 0.3333 0.3333", "PRIMARIES=0 0 0 0 0 0 0 0",
+                                   "PRIMARIES= 0.64 0.33 0.30 0.60 0.15 0.06 0.3127 0.3290", "PRIMARIES"}) {
+        read_hdr("#?RADIANCE\n" + line + "\n\n-Y 1 +X 1\n1234");
+        CHECK_MESSAGE(notes.empty(), line);
+    }
+    read_hdr("#?RADIANCE\nPRIMARIES=0.68 0.32 0.265 0.69 0.15 0.06 0.3127 0.329\n\n-Y 1 +X 1\n1234");
+    CHECK(notes == std::vector<std::string>{"'PRIMARIES=0.68 0.32 0.265 0.69 0.15 0.06 0.3127 0.329' is not converted: "
+                                            "its colours count as the standard ones"});
+}
+
+TEST_CASE("many codes of an 8-bit picture, over 255 or as they are, get a note; other values get none") {
+    const auto note_of = [](int codes, int exponent, int odd) {
+        std::string texels;
+        for (int i = 0; i < codes; ++i) texels += bytes_of({255 - i, 255 - i, 255 - i, exponent});
+        read_hdr(hdr("-Y " + std::to_string(codes + 1) + " +X 1", texels + bytes_of({odd, 128, 128, exponent - 1})));
+        return notes.empty() ? "" : notes[0];
+    };
+    for (const int exponent : {128, 136}) {
+        CHECK(note_of(250, exponent, 128) == Containing{"its values are the codes of an 8-bit picture, not radiances"});
+        CHECK(note_of(250, exponent, 129) == "");
+        CHECK(note_of(20, exponent, 128) == "");
+    }
+    CHECK(note_of(250, 129, 128) == "");
+}
+
+// Red at the top left, green behind it, and blue below.
+TEST_CASE("every orientation gives the same map") {
+    const std::string r = bytes_of({1, 0, 0, 136}), g = bytes_of({0, 1, 0, 136}), b = bytes_of({0, 0, 1, 136});
+    const std::string k(4, '\0');
+    const std::vector<double> upright = channels(read_hdr(hdr("-Y 2 +X 3", r + g + g + b + k + k)));
+    CHECK(upright == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
+    for (const auto& [size, texels] : {std::pair("-Y 2 -X 3", g + g + r + k + k + b),
+                                       {"+Y 2 +X 3", b + k + k + r + g + g},
+                                       {"+Y 2 -X 3", k + k + b + g + g + r},
+                                       {"+X 3 -Y 2", r + b + g + k + g + k},
+                                       {"+X 3 +Y 2", b + r + k + g + k + g},
+                                       {"-X 3 -Y 2", g + k + g + k + r + b},
+                                       {"-X 3 +Y 2", k + g + k + g + b + r}})
+        CHECK_MESSAGE(channels(read_hdr(hdr(size, texels))) == upright, size);
+}
+
+// Radiance's primaries: white has X = Y = Z, and red X = 0.64 / 0.33 Y and Z = 0.03 / 0.33 Y.
+TEST_CASE("XYZ in lumens becomes RGB in watts, of which each has 179, and at least 0") {
+    const auto rgb = [](const std::vector<int>& bytes) {
+        return read_hdr("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + bytes_of(bytes)).color(1);
+    };
+    const Color white = rgb({179, 179, 179, 136}), red = rgb({192, 99, 9, 136}), cyan = rgb({0, 100, 100, 136});
+    for (const double channel : {white.x, white.y, white.z}) CHECK(std::fabs(channel - 1) < 1e-6);
+    CHECK(std::fabs(99. / 179 / red.x - 0.2651) < 1e-4);  // red's part of white's luminance
+    for (const double channel : {red.y, red.z}) CHECK(std::fabs(channel) < 1e-6);
+    CHECK(cyan.x == 0);
+    CHECK(cyan.y > 1);
+}
+
+TEST_CASE("a texel 1 1 1 n of a flat scanline repeats the one before, and others behind it 256 times as often") {
+    const auto width = [](const std::string& x, const std::vector<int>& bytes) {
+        const auto all = channels(read_hdr(hdr("-Y 1 +X " + x, bytes_of(bytes))));
+        return std::vector<std::ptrdiff_t>{std::count(all.begin(), all.end(), 7.),
+                                           std::count(all.begin(), all.end(), 9.)};
+    };
+    using Counts = std::vector<std::ptrdiff_t>;
+    CHECK(width("6", {7, 7, 7, 136, 1, 1, 1, 3, 9, 9, 9, 136, 1, 1, 1, 1}) == Counts{12, 6});
+    CHECK(width("518", {7, 7, 7, 136, 1, 1, 1, 3, 1, 1, 1, 2, 9, 9, 9, 136, 1, 1, 1, 1}) == Counts{3 * 516, 6});
 }
 
 TEST_CASE("coded scanlines of 8 to 32767 texels decode runs and literals of each component") {
@@ -91,26 +158,29 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
     const auto refused = [](const std::string& file, const std::string& reason) {
         CHECK(message_of([&] { read_hdr(file); }) == Containing{reason});
     };
-    refused("P6\n1 1\n255\n", "not a Radiance picture, whose first line begins with #?; `oiiotool in -o out.hdr`");
+    refused("<html>", "not a Radiance picture, whose first line begins with #?");
     refused("# RADIANCE\n\n-Y 1 +X 1\n", "not a Radiance picture");
-    refused("v/1\1\2\0\0\0channels", "an OpenEXR picture; `oiiotool in -o out.hdr` converts it");
+    for (const char* light : {"v/1\1\2", "II*", "MM", "PF\n"})
+        refused(light, " picture; `oiiotool in -o out.hdr` converts it");
+    for (const char* codes : {"\x89PNG", "\xff\xd8\xff"})
+        refused(codes, " picture, which holds codes; `oiiotool in --colorconvert sRGB linear -o out.hdr` makes light");
     refused("version https://git-lfs.github.com/spec/v1\n", "a pointer of git-lfs; `git lfs pull` gets the file");
     refused("#?RADIANCE", "the file ends inside the header");
-    refused("#?RADIANCE\n" + std::string(5000, 'x'), "a line of the header is too long");
+    refused("#?RADIANCE\n" + std::string(5000, 'x'), "a line of the header is longer than 4095 bytes; delete it");
     std::string lines = "#?RADIANCE\n";
     for (int i = 0; i < 1001; ++i) lines += "x\n";
-    refused(lines, "the header has more than 1000 lines");
-    refused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n",
-            "'FORMAT=32-bit_rle_xyze' is not supported, only 32-bit_rle_rgbe is; `oiiotool in -o out.hdr` converts it");
-    for (const std::string size : {"+Y 1 +X 1", "-Y 1 -X 1", "+X 1 -Y 1"})
-        refused(hdr(size, ""), "'" + size + "' is an orientation that is not supported, only -Y +X is; `oiiotool");
+    refused(lines, "the header has more than 1000 lines; delete those that have no '='");
+    for (const std::string format : {"FORMAT=32-bit_rle_rgb", "FORMAT="})
+        refused("#?RADIANCE\n" + format + "\n\n-Y 1 +X 1\n", "'" + format + "' is neither 32-bit_rle_rgbe nor");
     for (const std::string size :
-         {"-Y 1 +X", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 8193 +X 8192", "-Y 4294967299 +X 1"})
+         {"-Y 1 +X", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 8193 +X 8192", "-Y 65536 +X 65536",
+          "-Y 4294967299 +X 1", "-Y 1 +Y 1", "-X 1 +X 1", "-Z 1 +X 1", "*Y 1 +X 1"})
         refused(hdr(size, ""), "resolution line '" + size + "': it should be '-Y height +X width'");
     const auto row_refused = [&](const std::vector<int>& bytes, const std::string& reason) {
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
     };
-    row_refused({1, 1, 1, 2}, "its runs are of before 1991; `oiiotool in -o out.hdr` converts it");
+    row_refused({1, 1, 1, 2}, "a run has no texel before it, or ends after the scanline");
+    row_refused({5, 5, 5, 136, 1, 1, 1, 8}, "a run has no texel before it, or ends after the scanline");
     for (const int code : {137, 9, 0, 128})
         row_refused({2, 2, 0, 8, code, 1, 1, 1, 1, 1, 1, 1, 1, 1}, "a run is empty, or ends after");
     row_refused({2, 2, 0, 9}, "the scanline announces another width than the header");
