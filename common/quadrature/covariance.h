@@ -4,8 +4,7 @@
 // quadrature", J. Stat. Plan. Inf. 1991):
 //     z(omega) = integral over H of k(omega, omega') p(omega') d omega',
 //     zz = integral over H of z(omega) p(omega) d omega,
-// where f p is the integrand: p is its known part, 1 unless you ask for another, and the Gaussian process models f
-// only.
+// where f p is the integrand: the Gaussian process models f, and p, the known part, is 1 unless you ask for another.
 #pragma once
 
 #include "quadrature/closed_forms.h"
@@ -31,8 +30,8 @@ struct Covariance {
     virtual Known known() const { return Known::nothing; }  // p
 };
 
-// The covariance of the practice, Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3.
-// Its functions are continuous but rough, so sharp edges in the light fit the model.
+// Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3. Its functions are continuous but
+// rough, as light with sharp edges is.
 struct Sobolev : Covariance {
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
     double cap_mean(double b) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * b); }
@@ -48,7 +47,8 @@ struct SobolevKnownCosine final : Sobolev {
 };
 
 // Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
-// Womersley, "QMC designs", Mathematics of Computation 2014).
+// Womersley, "QMC designs", Mathematics of Computation 83, 2014). The sheet's base code has s = 1.4 (Marques, Bouville
+// & Bouatouch, "Optimal sample weights for hemispherical integral quadratures", Computer Graphics Forum 38(1), 2019).
 constexpr double min_smoothness = 1.001, max_smoothness = 1.999;
 struct GeneralSobolev final : Covariance {
     const double exponent, constant, zz_value;  // s - 1, C, and zz, computed once

@@ -31,11 +31,11 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 }
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
-    const bool practice = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
-    if (known == Known::cosine && !practice)
+    const bool in_closed_form = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
+    if (known == Known::cosine && !in_closed_form)
         throw std::invalid_argument("the known part cosine needs the covariance sobolev of smoothness 1.5");
     if (known == Known::cosine) return std::make_shared<SobolevKnownCosine>();
-    if (practice) return std::make_shared<Sobolev>();
+    if (in_closed_form) return std::make_shared<Sobolev>();
     switch (covariance) {
         case CovarianceFamily::sobolev: return std::make_shared<GeneralSobolev>(smoothness);
         case CovarianceFamily::squared_exponential: return std::make_shared<SquaredExponential>(length_scale);
