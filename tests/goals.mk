@@ -26,7 +26,7 @@ UNIT = -O1 -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS
 UNIT_HEADER = $(BUILD)/tests/unit.h
 $(UNIT_HEADER).gch: $(wildcard tests/unit/test.h common/*/*.h common/*/*/*.h) $(BUILD)/settings | doctest
 	@mkdir -p $(@D) && echo '#include "$(abspath $<)"' > $(UNIT_HEADER)
-	$(call say,CXX $<) $(COMPILE) $(UNIT) -x c++-header $(UNIT_HEADER) -o $@
+	$(call say,CXX $<) $(COMPILE) $(UNIT) -x c++-header -MD -MP $(UNIT_HEADER) -o $@
 $(TESTS): $(if $(UNIT_AS_ONE),,$(HEADERS:%=$(UNIT_HEADER).gch)) | doctest
 $(TESTS): EXTRA = $(UNIT)
 $(TESTS): HEADERS := $(HEADERS:%=$(UNIT_HEADER))

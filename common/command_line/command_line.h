@@ -20,7 +20,7 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 template <class Number>
 Number parse(const std::string& text, Number low, Number high) {
     if constexpr (std::is_integral_v<Number>)
-        return static_cast<Number>(parse_integer(text, low, high));
+        return static_cast<Number>(parse_integer(text, std::uint64_t(low), std::uint64_t(high)));
     else
         return parse_real(text, low, high);
 }
