@@ -2,6 +2,8 @@
 #include "scene/scene.h"
 #include "test.h"
 
+#include <map>
+
 static const Rectangle plate{-2, -4, 4, -9, -1, {0, 1, 0}};
 
 // The centre of the top one of three rows is 2/3 up to the edge, which is at tan(30 degrees).
@@ -36,7 +38,7 @@ TEST_CASE("rays meet the sphere, the rectangle, the nearer of both, or nothing")
 }
 
 TEST_CASE("a direction is shadowed where a ray meets the other object") {
-    int shadowed[2] = {}, all[2] = {};
+    std::map<Object, int> shadowed, all;  // directions, of each object
     for_each_hit(test_scene(), {24, 24}, [&](int, int, const Hit& hit) {
         for (const Vec3& local : some_directions(30)) {
             const Vec3 direction = Frame(hit.normal).to_world(local);
@@ -44,14 +46,15 @@ TEST_CASE("a direction is shadowed where a ray meets the other object") {
             // Off the surface, so that the ray does not meet its own origin.
             INFO("hit.point, direction: ", hit.point, ", ", direction);
             CHECK(covered == intersect(test_scene(), {hit.point + 1e-9 * hit.normal, direction}).has_value());
-            shadowed[static_cast<int>(hit.object)] += covered;
-            ++all[static_cast<int>(hit.object)];
+            shadowed[hit.object] += covered;
+            ++all[hit.object];
         }
     });
-    for (const int object : {0, 1}) {
-        CAPTURE(object);
+    CHECK(all.size() > 1);
+    for (const auto& [object, directions] : all) {
+        CAPTURE(static_cast<int>(object));
         CHECK(shadowed[object] > 300);
-        CHECK(shadowed[object] < all[object] - 300);
+        CHECK(shadowed[object] < directions - 300);
     }
 }
 
