@@ -5,17 +5,13 @@
 namespace bmc {
 double time_call(const std::function<void()>& action) {
     using Clock = std::chrono::steady_clock;
-    double fewest = 1e300;
-    for (int runs = 0, calls = 1; runs < 4;) {
+    double fewest = 1e300, all = 0;
+    for (int calls = 0; calls < 4 || all < 8e-3; ++calls) {
         const auto start = Clock::now();
-        for (int i = 0; i < calls; ++i) action();
+        action();
         const std::chrono::duration<double> seconds = Clock::now() - start;
-        if (seconds.count() < 2e-3) {
-            calls *= 2;
-        } else {
-            fewest = std::min(fewest, seconds.count() / calls);
-            ++runs;
-        }
+        fewest = std::min(fewest, seconds.count());
+        all += seconds.count();
     }
     return fewest;
 }
