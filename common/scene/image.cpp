@@ -6,16 +6,23 @@
 #include <stdexcept>
 
 namespace bmc {
-// Byte k begins where the transfer function is (k - 1/2) / 255. What is no number is black.
+// Byte k begins where the transfer function is (k - 1/2) / 255. The function is nowhere steeper than 12.92, so a step
+// of 1 / 4096 holds at most one such threshold: the byte where the step begins and one comparison decide.
 static std::string srgb_codes(const Image& image) {
-    std::vector<double> thresholds;  // of the bytes from 1 on
+    std::vector<double> thresholds;  // of the bytes 1 to 255, and a last one above all values
     for (int k = 1; k < 256; ++k) thresholds.push_back(srgb_to_linear((k - 0.5) / 255));
+    thresholds.push_back(2);
+    std::vector<unsigned char> first;  // the byte of step / 4096
+    for (int step = 0; step <= 4096; ++step)
+        first.push_back(static_cast<unsigned char>(
+            std::upper_bound(thresholds.begin(), thresholds.end(), step / 4096.0) - thresholds.begin()));
     std::string bytes;
     bytes.reserve(3 * image.pixels.size());
     for (const Color& pixel : image.pixels)
         for (const double channel : {pixel.x, pixel.y, pixel.z}) {
-            const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), channel > 0 ? channel : 0);
-            bytes += static_cast<char>(above - thresholds.begin());
+            const double linear = channel > 0 ? (channel < 1 ? channel : 1) : 0;
+            const unsigned char byte = first[static_cast<std::size_t>(4096 * linear)];
+            bytes += static_cast<char>(byte + (linear >= thresholds[byte]));
         }
     return bytes;
 }
