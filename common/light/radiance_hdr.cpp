@@ -166,6 +166,18 @@ static Color radiance(const Rgbe& rgbe, const Header& header) {
     return color;
 }
 
+// Whether the map has only values that an 8-bit picture has, whole numbers up to 256 or so many 256ths, and many of
+// them.
+static bool holds_codes(const EnvironmentMap& map) {
+    std::set<double> values;  // up to one more than such a picture has
+    for (int i = 1; i <= map.width * map.height && values.size() <= 257; ++i)
+        values.insert({map.color(i).x, map.color(i).y, map.color(i).z});
+    const double codes = *values.rbegin() > 1 ? 1 : 256;  // in a radiance of 1
+    return values.size() > 32 && std::all_of(values.begin(), values.end(), [&](double value) {
+               return codes * value <= 256 && codes * value == std::floor(codes * value);
+           });
+}
+
 EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes) {
     const Header header = read_header(in, notes);
     const int* counts = header.counts;
@@ -177,7 +189,6 @@ EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& not
     if (in.peek() != std::char_traits<char>::eof())
         notes.push_back("bytes follow the last scanline; is the picture as it should be?");
     EnvironmentMap map(counts[*header.names[0] == 'Y'], counts[*header.names[0] == 'X']);
-    std::set<double> values;  // the first of them, more than an 8-bit picture has
     for (int i = 0; i < counts[0] * counts[1]; ++i) {
         const int numbers[] = {i / counts[1], i % counts[1]};
         int place[2];
@@ -185,15 +196,9 @@ EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& not
             const bool is_y = *header.names[axis] == 'Y', backward = *header.signs[axis] == (is_y ? '+' : '-');
             place[is_y] = backward ? counts[axis] - 1 - numbers[axis] : numbers[axis];
         }
-        const Color color = radiance(texels[static_cast<std::size_t>(i)], header);
-        map.set(place[0], place[1], color);
-        if (values.size() <= 257) values.insert({color.x, color.y, color.z});
+        map.set(place[0], place[1], radiance(texels[static_cast<std::size_t>(i)], header));
     }
-    const double codes = *values.rbegin() > 1 ? 1 : 256;  // in a radiance of 1
-    const auto is_code = [&](double value) {
-        return codes * value <= 256 && codes * value == std::floor(codes * value);
-    };
-    if (values.size() > 32 && std::all_of(values.begin(), values.end(), is_code))
+    if (holds_codes(map))
         notes.push_back(std::string("its values are the codes of an 8-bit picture, not radiances") + decoder);
     return map;
 }
