@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace bmc {
 // The text that printf would print. The attribute lets compilers compare the arguments with the format.
@@ -21,6 +22,14 @@ formatted(const char* format, ...) {
     std::vsnprintf(text.data(), text.size() + 1, format, same);
     va_end(same);
     va_end(arguments);
+    return text;
+}
+
+// "mc, direct or pool".
+inline std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
     return text;
 }
 }  // namespace bmc

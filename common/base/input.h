@@ -13,7 +13,7 @@ namespace bmc {
 // What read(stream) makes of the bytes of a file, or of standard input if its name is "-". Throws std::runtime_error:
 // one line that begins with the name. missing: what it says of a file that cannot be opened.
 template <class Read>
-auto read_file(const std::string& name, Read read, const char* missing = "there is no such file") {
+auto read_file(const std::string& name, Read read, const std::string& missing = "there is no such file") {
     std::ifstream file(name, std::ios::binary);
 #ifdef _WIN32
     if (name == "-") _setmode(STDIN_FILENO, _O_BINARY);

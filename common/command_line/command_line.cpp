@@ -25,14 +25,6 @@ Option& Options::named(const std::string& name) {
     throw std::logic_error("there is no option " + name);
 }
 
-// "mc, direct or pool".
-static std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
-    return text;
-}
-
 Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
               const std::function<void(std::size_t)>& choose) {
     return {name, "NAME", listed(names) + " (default " + names[usual] + ")" + remark, [=](const std::string& text) {

@@ -104,7 +104,7 @@ static void print_estimate(const GaussianProcess& process, const std::vector<dou
 
 void Belief::add_options(Options& options) {
     options.add("samples", "N", "directions of the process (default 40)", samples, 1, 400);
-    options.add("environment", "FILE", environment_help, environment);
+    options.add("environment", "FILE", environment_help(), environment);
     add_model_options(options, settings);
 }
 

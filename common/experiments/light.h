@@ -10,7 +10,7 @@ namespace bmc {
 struct LightFile : Experiment {
     std::string environment = built_in_lights[0];
 
-    void add_options(Options& options) override { options.add("environment", "FILE", environment_help, environment); }
+    void add_options(Options& options) override { options.add("environment", "FILE", environment_help(), environment); }
 
     std::string report() const override {
         const EnvironmentMap map = load_environment(environment);

@@ -45,8 +45,7 @@ void PictureReport::add_options(Options& options) {
 }
 
 std::string PictureReport::report() const {
-    const std::vector<std::string> all(std::begin(built_in_lights), std::end(built_in_lights));
-    const std::vector<std::string> names = environment.empty() ? all : std::vector{environment};
+    const std::vector<std::string> names = environment.empty() ? light_names() : std::vector{environment};
     Progress progress(static_cast<double>(names.size()));
     std::string text;
     for (const std::string& name : names)

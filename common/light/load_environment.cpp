@@ -9,8 +9,7 @@ EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
         if (name == built_in_lights[i]) return built_in_light(static_cast<BuiltInLight>(i), threads);
     std::vector<std::string> notes;
     const auto read = [&](std::istream& in) { return read_radiance_hdr(in, notes); };
-    EnvironmentMap map =
-        read_file(name, read, "no such file, and not a built-in light (desert, bright-desert, black-and-white)");
+    EnvironmentMap map = read_file(name, read, "no such file, and not the name of a light: " + listed(light_names()));
     for (const std::string& note : notes) print_note("note: " + name + ": " + note);
     return map;
 }

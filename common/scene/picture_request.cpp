@@ -20,7 +20,7 @@ void PictureRequest::add_options(Options& options) {
     add_model_options(options, settings);
     options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
                  [this](const std::string& text) { set_size(settings, text); }});
-    options.add("environment", "FILE", environment_help, environment);
+    options.add("environment", "FILE", environment_help(), environment);
     options.add("exposure", "X", "brighten a PPM or BMP by X stops (default 0)", exposure, -200, 200);
     options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
     options.add("threads", "T", "number of threads; the picture does not change (default: all processors)",
