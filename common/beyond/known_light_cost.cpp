@@ -3,7 +3,8 @@
 namespace bmc::beyond {
 static PictureCost picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
                                     Placement placement) {
-    PictureCost compared = compared_picture(light.environment, method, pool, placement, Known::cosine);
+    PictureCost compared = compared_picture(light.environment, method, pool, placement);
+    compared.settings.known = Known::cosine;
     compared.known = "light";
     compared.image = [&light](const RenderSettings& settings) {
         return render(light.environment, settings, shader_of(light, settings));
@@ -34,7 +35,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
     const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
                                             compared_picture(map, Method::pool, 20, {}),
-                                            compared_picture(map, Method::pool, 20, cosine_lattice, Known::cosine),
+                                            compared_picture(map, Method::pool, 20, cosine_lattice),
                                             picture_of_known(light, Method::mc, 1, {}),
                                             picture_of_known(light, Method::pool, 20, {}),
                                             picture_of_known(light, Method::mc, 1, cosine_lattice),

@@ -9,7 +9,8 @@ void add_model_options(Options& options, ModelSettings& s) {
                 min_length_scale, max_length_scale);
     options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude (default 0.01)", s.noise,
                 0, 1000);
-    options.add("known", known_names, s.known, known_remark);
+    options.add(choice("known", {std::begin(known_names), std::end(known_names)}, 0, known_remark,
+                       [&s](std::size_t chosen) { s.known = static_cast<Known>(chosen); }));
     options.add(choice("placement", {std::begin(placement_names), std::end(placement_names)}, number_of(s.placement),
                        "", [&s](std::size_t chosen) { s.placement = placement_of(chosen); }));
     options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);

@@ -114,11 +114,11 @@ std::string Belief::report() const {
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise,
                                   place_directions(settings.placement, samples, random).directions);
-    const auto incident = [&](Vec3 w) { return luminance(view.light(w)) * known_part(settings.known, w); };
+    const auto incident = [&](Vec3 w) { return luminance(view.light(w)) * known_part(covariance->known(), w); };
     const auto square = [&](Vec3 w) { return luminance(view.light(w)) * incident(w); };
-    const std::vector<double> values = evaluate(incident, process.directions, settings.known);
+    const std::vector<double> values = evaluate(incident, process.directions, covariance->known());
     print_estimate(process, values, reference_integral(incident),
-                   std::sqrt(reference_integral(square) / known_integral(settings.known)));
+                   std::sqrt(reference_integral(square) / known_integral(covariance->known())));
     Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Color>(samples)};
     const Matrix inverse = process.inverse_covariance();
     for (std::size_t j = 0; j < samples; ++j)

@@ -53,7 +53,7 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     try {
         for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done(bmc_work(samples))) {
             std::vector<Vec3> directions = directions_of_estimate(settings, samples, e).directions;
-            add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, settings.known);
+            add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, covariance->known());
         }
     } catch (const NotPositiveDefinite& error) {
         print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());

@@ -82,14 +82,12 @@ ImageError image_error(const Image& image, const Image& truth) {
             (sum.x + sum.y + sum.z) / true_sum};
 }
 
-PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
-                             Known known) {
+PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement) {
     RenderSettings settings;
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    settings.known = known;
-    return {settings, name_of(known, known_names), [&light](const RenderSettings& each) {
+    return {settings, name_of(placement.density, known_names), [&light](const RenderSettings& each) {
                 return render(light, each, environment_shader(light, PixelRules(each)));
             }};
 }
@@ -104,13 +102,13 @@ std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
             compared_picture(light, Method::rotated, 1, {}),
             compared_picture(light, Method::pool, 5, {}),
             compared_picture(light, Method::pool, 20, {}),
-            compared_picture(light, Method::pool, 20, {random, cosine}, cosine),
+            compared_picture(light, Method::pool, 20, {random, cosine}),
             compared_picture(light, Method::mc, 1, {stratified, cosine}),
-            compared_picture(light, Method::pool, 20, {stratified, cosine}, cosine),
+            compared_picture(light, Method::pool, 20, {stratified, cosine}),
             compared_picture(light, Method::mc, 1, {lattice}),
             compared_picture(light, Method::pool, 20, {lattice}),
             compared_picture(light, Method::mc, 1, {lattice, cosine}),
-            compared_picture(light, Method::pool, 20, {lattice, cosine}, cosine)};
+            compared_picture(light, Method::pool, 20, {lattice, cosine})};
 }
 
 PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,

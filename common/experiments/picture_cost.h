@@ -48,8 +48,7 @@ struct PictureCost {
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
-PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement,
-                             Known known = Known::nothing);
+PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement);
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light);
 
 // The settings of a row: with these samples, the size and the first seed. The row has the seeds from there on.

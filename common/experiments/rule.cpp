@@ -137,7 +137,9 @@ static Samples with_right_z(Samples given, const Covariance& covariance) {
 }
 
 std::string RuleReport::report() const {
-    const auto covariance = settings.make_covariance();
+    ModelSettings model = settings;
+    if (!directions.empty()) model.placement = {};  // directions in a file have a density that nobody knows
+    const auto covariance = model.make_covariance();
     Random random(settings.seed, 0);
     Samples given;
     if (directions.empty())
@@ -145,8 +147,8 @@ std::string RuleReport::report() const {
     else
         given = read_file(directions, [&](std::istream& in) { return with_right_z(read_samples(in), *covariance); });
     const GaussianProcess process(*covariance, settings.noise, given.directions);
-    std::string text = weights_block(process, settings.known);
-    if (given.columns == 4) text += estimate_line(process, settings.known, given.fourth);
+    std::string text = weights_block(process, covariance->known());
+    if (given.columns == 4) text += estimate_line(process, covariance->known(), given.fourth);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());

@@ -6,6 +6,7 @@
 #include "quadrature/hemisphere.h"
 
 #include <memory>
+#include <optional>
 
 namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
@@ -69,7 +70,7 @@ struct ModelSettings {
     double smoothness = 1.5;  // of sobolev
     double length_scale = 1;  // of any other family
     double noise = 0.01;
-    Known known = Known::nothing;
+    std::optional<Known> known = {};  // unless given, the density of the placement
     Placement placement = {};
     std::uint64_t seed = 1;
 

@@ -21,3 +21,18 @@ TEST_CASE("the options of a model set its members, in the ranges of a process") 
     CHECK(std::vector{idle.all[1].name, idle.all[1].idle_with} ==
           std::vector<std::string>{"smoothness", "--covariance squared-exponential"});
 }
+
+TEST_CASE("the known part is the density of the placement, unless it is given, before or after") {
+    const auto known_of = [](const std::vector<std::string>& words) {
+        ModelSettings s;
+        Options options;
+        add_model_options(options, s);
+        parse(words, options);
+        return s.make_covariance()->known();
+    };
+    CHECK(known_of({}) == Known::nothing);
+    CHECK(known_of({"--placement=cosine-stratified"}) == Known::cosine);
+    CHECK(known_of({"--placement=cosine", "--known=nothing"}) == Known::nothing);
+    CHECK(known_of({"--known=nothing", "--placement=cosine-fibonacci"}) == Known::nothing);
+    CHECK(known_of({"--known=cosine", "--placement=fibonacci"}) == Known::cosine);
+}

@@ -99,6 +99,7 @@ TEST_CASE("the report has directions, z, weights and their sums, and an estimate
     CHECK(rule_report("0 1 0 0\n") == Containing{"amplitude 0, standard error unknown: the values are 0, or too"});
     const std::string cosine = rule_report("0 1 0 2\n", {"--known=cosine"});
     CHECK(cosine == Containing{"the integral of cos(theta) is 3.14159"});
+    CHECK(rule_report("0 1 0\n", {"--placement=cosine"}) == rule_report("0 1 0\n"));  // not that of the file
     CHECK(cosine == Containing{"# The integral of the values times cos(theta): estimate"});
     CHECK(cosine == Containing{formatted("%.9g", SobolevKnownCosine().z(1))});
     const double s = SobolevKnownCosine().z(1) / (8.0 / 3 + 1e-4) / pi;  // of one weight
