@@ -91,38 +91,6 @@ TEST_CASE("a choice is one of the names of a table, which the help lists") {
     CHECK(letter == Letter::c);
 }
 
-struct Echo : Experiment {
-    std::string text, more;
-    void add_options(Options& options) override {
-        options.add("text", "X", "what", text);
-        options.add("more", "X", "", more);
-        if (text == "no") options.make_idle({"more"}, "--text no");
-        if (text == "no") options.make_idle({"text"}, "itself");
-    }
-    std::string report() const override { return text + more; }
-};
-
-TEST_CASE("a note names each option that is given and changes nothing") {
-    std::string output;
-    const auto printed = [&](const std::vector<std::string>& words) {
-        const Command echo{"echo", "repeats", std::make_shared<Echo>()};
-        return stderr_of([&] {
-            output =
-                with_arguments(words, [&](int argc, char** argv) { return run_command(echo, "usage\n", argc, argv); });
-        });
-    };
-    CHECK(printed({"--text", "yes", "--more=1"}) == "");
-    CHECK(output == "yes1");
-    CHECK(printed({"--help", "--more=1", "--text=no"}) == "");
-    CHECK(output == Containing{"usage\n\n  --text X "});
-    const std::string both = printed({"--more=1", "--text=no", "--more=2"});
-    CHECK(both == Containing{": note: --more changes nothing with --text no\n"});
-    CHECK(both == Containing{": note: --text changes nothing with itself\n"});
-    CHECK(std::count(both.begin(), both.end(), '\n') == 2);
-    CHECK(output == "no2");
-    CHECK_THROWS_WITH(printed({"x"}), "unexpected argument 'x'; try --help");
-}
-
 TEST_CASE("a note is one line without control characters, the middle left out if long") {
     const auto shown = [](const std::string& text) { return stderr_of([&] { print_note(text); }); };
     CHECK(shown("a\nb\r\x1b[2J\x7f\xc2\x9b \xc3\x9c") == Containing{": a?b??[2J?\xc2? \xc3\x9c\n"});

