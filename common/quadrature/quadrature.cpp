@@ -35,9 +35,9 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool cosine_known = known.value_or(placement.density) == Known::cosine;
     if (cosine_known && !in_closed_form)
         throw std::invalid_argument(
-            "the known part cosine needs the covariance sobolev of smoothness 1.5; a cosine placement has this part "
-            "unless "
-            "another is given");
+            "the known part cosine needs the covariance sobolev of smoothness 1.5; directions of that density have "
+            "this "
+            "part unless another is given");
     if (cosine_known) return std::make_shared<SobolevKnownCosine>();
     if (in_closed_form) return std::make_shared<Sobolev>();
     switch (covariance) {
