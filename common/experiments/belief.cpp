@@ -12,7 +12,6 @@ namespace bmc {
 constexpr int disc = 200, subpixels = 3;  // pixels on a side of a disc; subpixels on a side of a pixel
 constexpr double error_scale = 2.5;       // in the last two discs a luminance of 0.4 is white
 constexpr double dot_radius = 0.018;      // of a sample's dot, in radii of the disc
-constexpr double least_seen = 0.3;        // of a light's root mean square; with less, nine in ten bars are false
 constexpr Color white{1, 1, 1}, grey{0.18, 0.18, 0.18};
 
 // The light that arrives at a point of the rectangle. The sphere hides a part of its sky.
@@ -87,19 +86,16 @@ static Image discs(const View& view, const Posterior& posterior) {
     return image;
 }
 
-// all: the root mean square of the light, where values are its samples. An error bar does not know what none has met.
-static void print_estimate(const GaussianProcess& process, const std::vector<double>& values, double truth,
-                           double all) {
-    const double error = process.standard_error(values);
-    print_note(formatted("estimate %.5g, standard error %s, truth %.5g", process.integral(values),
+// all: the root mean square of the light. Where the samples have seen less than 0.3 of it, nine in ten bars are false.
+static void print_estimate(const GaussianProcess& process, const std::vector<double>& seen, double truth, double all) {
+    const double error = process.standard_error(seen);
+    print_note(formatted("estimate %.5g, standard error %s, truth %.5g", process.integral(seen),
                          error > 0 ? formatted("%.3g", error).c_str() : "unknown", truth));
-    RootMeanSquare seen;
-    for (const double value : values) seen.add(value);
-    if (seen.value() < least_seen * all)
-        print_note(
-            formatted("note: the samples have seen %.2g %% of this light (root mean square), and the standard "
-                      "error knows of no more",
-                      100 * seen.value() / all));
+    RootMeanSquare size;
+    for (const double value : seen) size.add(value);
+    if (size.value() < 0.3 * all)
+        print_note(formatted("note: the samples have seen %.2g %% of this light, and the standard error knows no more",
+                             100 * size.value() / all));
 }
 
 void Belief::add_options(Options& options) {

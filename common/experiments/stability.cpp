@@ -112,10 +112,7 @@ std::string StabilityReport::report() const {
     for (const Setting& each : settings()) all += std::size(noises) * work(each.samples);
     Progress progress(all);
     for (const auto& [set, samples, family, parameter] : settings()) {
-        ModelSettings model;
-        model.covariance = family;
-        model.smoothness = model.length_scale = parameter;
-        const auto covariance = model.make_covariance();
+        const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
         text += formatted("  %-11s %7zu %-19s %9g ", name_of(set, sample_set_names), samples,
                           name_of(family, covariance_names), parameter);
         std::string constants;

@@ -32,13 +32,11 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool in_closed_form = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
-    const bool cosine_known = known.value_or(placement.density) == Known::cosine;
-    if (cosine_known && !in_closed_form)
+    if (known.value_or(placement.density) == Known::cosine) {
+        if (in_closed_form) return std::make_shared<SobolevKnownCosine>();
         throw std::invalid_argument(
-            "the known part cosine needs the covariance sobolev of smoothness 1.5; directions of that density have "
-            "this "
-            "part unless another is given");
-    if (cosine_known) return std::make_shared<SobolevKnownCosine>();
+            "the known part cosine, as of directions of that density, needs the covariance sobolev of smoothness 1.5");
+    }
     if (in_closed_form) return std::make_shared<Sobolev>();
     switch (covariance) {
         case CovarianceFamily::sobolev: return std::make_shared<GeneralSobolev>(smoothness);
