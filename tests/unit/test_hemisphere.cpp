@@ -45,7 +45,6 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
 TEST_CASE("stratified directions have a random point in each cell of as square a grid as their number divides into") {
     for (const auto& [n, rows] : {std::pair(13, 1), {20, 4}, {36, 6}})
         for (const Known density : {Known::nothing, Known::cosine}) {
-            CAPTURE(n);
             Random random(1, 0);
             Statistics within[2];
             for (int set = 0; set < 1000; ++set) {

@@ -84,14 +84,14 @@ TEST_CASE("every orientation gives the same map") {
     const std::string k(4, '\0');
     const std::vector<double> upright = channels(read_hdr(hdr("-Y 2 +X 3", r + g + g + b + k + k)));
     CHECK(upright == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
-    for (const auto& [size, texels] : {std::pair("-Y 2 -X 3", g + g + r + k + k + b),
-                                       {"+Y 2 +X 3", b + k + k + r + g + g},
-                                       {"+Y 2 -X 3", k + k + b + g + g + r},
-                                       {"+X 3 -Y 2", r + b + g + k + g + k},
-                                       {"+X 3 +Y 2", b + r + k + g + k + g},
-                                       {"-X 3 -Y 2", g + k + g + k + r + b},
-                                       {"-X 3 +Y 2", k + g + k + g + b + r}})
-        CHECK_MESSAGE(channels(read_hdr(hdr(size, texels))) == upright, size);
+    for (const auto& each : {std::pair("-Y 2 -X 3", g + g + r + k + k + b),
+                             {"+Y 2 +X 3", b + k + k + r + g + g},
+                             {"+Y 2 -X 3", k + k + b + g + g + r},
+                             {"+X 3 -Y 2", r + b + g + k + g + k},
+                             {"+X 3 +Y 2", b + r + k + g + k + g},
+                             {"-X 3 -Y 2", g + k + g + k + r + b},
+                             {"-X 3 +Y 2", k + g + k + g + b + r}})
+        CHECK_MESSAGE(channels(read_hdr(hdr(each.first, each.second))) == upright, each.first);
 }
 
 // Radiance's primaries: white has X = Y = Z, and red X = 0.64 / 0.33 Y and Z = 0.03 / 0.33 Y.

@@ -51,10 +51,10 @@ TEST_CASE("a direction is shadowed where a ray meets the other object") {
         }
     });
     CHECK(all.size() > 1);
-    for (const auto& [object, directions] : all) {
-        CAPTURE(static_cast<int>(object));
-        CHECK(shadowed[object] > 300);
-        CHECK(shadowed[object] < directions - 300);
+    for (const auto& each : all) {  // clang++ captures no structured binding
+        CAPTURE(static_cast<int>(each.first));
+        CHECK(shadowed[each.first] > 300);
+        CHECK(shadowed[each.first] < each.second - 300);
     }
 }
 
