@@ -4,8 +4,8 @@
 // in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be read.
 #include "compare.h"
 
-#include "command_line/command_line.h"
 #include "base/input.h"
+#include "command_line/command_line.h"
 
 #include <cstdio>
 #include <iterator>

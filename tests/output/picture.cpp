@@ -1,7 +1,7 @@
 #include "picture.h"
 
-#include "light/load_environment.h"
 #include "base/formatted.h"
+#include "light/load_environment.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -192,8 +192,8 @@ inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, 
     return settings.make_covariance();
 }
 
-inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12,
-                                    Placement placement = {}, Known known = Known::nothing) {
+inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = {},
+                                    Known known = Known::nothing) {
     RenderSettings settings;
     settings.method = method;
     settings.samples = samples;

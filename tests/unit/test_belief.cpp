@@ -53,8 +53,8 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     CHECK(std::min(byte(x + 2, y), byte(x + 3, y)) < 160);
 }
 
-// One column of 63 has 512 where all others have 1/2: a lamp, which the only sample misses. Interpolated between columns
-// it has the mean square (2/3) 512^2 / 63, of whose root 1/2 is 0.95 %; the sphere hides a little of it.
+// One column of 63 has 512 where all others have 1/2: a lamp, which the only sample misses. Interpolated between
+// columns it has the mean square (2/3) 512^2 / 63, of whose root 1/2 is 0.95 %; the sphere hides a little of it.
 TEST_CASE("belief says that its samples have missed a lamp, and does not where there is none") {
     const auto notes = [](char exponent) {
         std::string texels;

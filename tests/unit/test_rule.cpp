@@ -91,8 +91,8 @@ TEST_CASE("the report has directions, z, weights and their sums, and an estimate
          {formatted("\n%24.17g %24.17g %24.17g %12.9g %24.17g\n", 0.6, 0.8, 0.0, z, w),
           formatted("weights sum to %.6g, and the integral of 1 is 6.28319. The ratio %.4g would", w, w / 2 / pi),
           formatted("integral = %.4g (Monte Carlo: 1). Negative weights: 0.", w / 2 / pi),
-          formatted("# The integral of the values: estimate %.9g, amplitude %.6g, standard error %.6g\n# It knows what", -3 * w,
-                    amplitude, amplitude * std::sqrt(Sobolev().zz() - z * w)),
+          formatted("# The integral of the values: estimate %.9g, amplitude %.6g, standard error %.6g\n# It knows what",
+                    -3 * w, amplitude, amplitude * std::sqrt(Sobolev().zz() - z * w)),
           formatted("# Q, 1 x 1\n%16.9g\n", q), formatted("# Q^-1, 1 x 1\n%16.9g\n", 1 / q)})
         CHECK(text == Containing{part});
     CHECK(!contains(rule_report("0 1 0\n"), "# Q"));
