@@ -8,8 +8,8 @@ namespace bmc {
 std::string two_digits(double number);
 
 // Prints a note on what to expect of so many samples of this light, if they miss it, and returns whether they do: if an
-// error of 1.4 c / sqrt(samples) is above half of the picture's brightness. common/README.md derives it from the light's
-// contrast c and from the part of the pixels that see a lamp.
+// error of 1.4 c / sqrt(samples) is above half of the picture's brightness. common/README.md derives it, from the
+// light's contrast c and from the part of the pixels that see a lamp.
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples);
 
 // The image of linear radiance. Before it a warning, if the error of its rules is more than twice that of Monte Carlo
