@@ -3,8 +3,8 @@
 // Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 #pragma once
 
-#include "light/texels_on_sphere.h"
 #include "base/random.h"
+#include "light/texels_on_sphere.h"
 #include "scene/scene.h"
 
 #include <memory>
