@@ -96,23 +96,15 @@ void check_failing_reads(const std::string& bytes, Read read) {
     }
 }
 
-// f(argc, argv) of a program with these arguments.
-template <class Function>
-auto with_arguments(std::vector<std::string> words, Function f) {
+// Lets the options take what stands in these arguments of a program, and returns what they leave.
+inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
     words.insert(words.begin(), "program");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     optind = 0;  // a fresh scan
-    return f(static_cast<int>(words.size()), argv.data());
-}
-
-// Lets the options take what stands in these arguments, and returns what they leave.
-inline std::vector<std::string> parse(const std::vector<std::string>& words, const Options& options) {
-    return with_arguments(words, [&](int argc, char** argv) {
-        parse_options(argc, argv, options);
-        return std::vector<std::string>(argv + optind, argv + argc);
-    });
+    parse_options(static_cast<int>(words.size()), argv.data(), options);
+    return {argv.begin() + optind, argv.end() - 1};
 }
 
 // Whether options take the words of one list and refuse those of the other.
