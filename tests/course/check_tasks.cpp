@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <map>
+#include <numeric>
 
 #include <unistd.h>
 
@@ -121,9 +122,11 @@ const Model models[] = {{"Sobolev 1.5", sobolev, 0.3, 3},
                         {"Sobolev 1.5", sobolev, 0.02, 41},
                         {"Sobolev 1.5", sobolev, 0.01, 100}};  // no program takes more unless it is asked to
 
-// What the same Q but for rounding may change: a squared chord of 1e-15 in place of 0 changes the diagonal by this
-// part. The squared exponential changes so little that a float shows, whose rounding is 6e-8.
-double rounding(const Covariance& k) { return std::max(1e-11, 1 - k.k(1e-15) / k.k(0)); }
+// What the same Q but for rounding may change. The squared chord of a direction and itself is 0, or 2 - 2 w.w, where
+// each square of a coordinate has some six roundings of 1.1e-16 (in sin(theta), the azimuth, and their product), and
+// w.w four more: at most 2 * 14 roundings, 3.1e-15. It changes the diagonal by this part. The squared exponential
+// changes so little that a float shows, whose rounding is 6e-8.
+double rounding(const Covariance& k) { return std::max(1e-11, 1 - k.k(4e-15) / k.k(0)); }
 
 // Such a change of Q changes the weights by at most the largest sum of absolute values in a row of Q^-1 as much, and
 // that is at most about 1 / noise^2.
@@ -264,38 +267,40 @@ void z_of_values() {
 
 // ---- integral
 
+Numbers numbers_of(std::size_t n, std::uint64_t stream) {
+    Random random(seed, stream);
+    Numbers of(n);
+    for (double& each : of) each = 0.5 + 3 * random.uniform();
+    return of;
+}
+
 void bayesian_weights_values() {
-    for_each_model([](const Model& model, const Directions& directions) {
-        const GaussianProcess process(model.covariance, model.noise, directions);
-        const Numbers &z = process.z, half = process.cholesky.forward_substitution(z);
-        std::vector<Mistakes> mistakes(process.weights.size());
+    for_each_positive_matrix([](const Matrix& a, double tolerance) {
+        const Cholesky cholesky(a);
+        const Numbers z = numbers_of(a.rows, 7), half = cholesky.forward_substitution(z),
+                      weights = bayesian_weights(cholesky, z);
+        std::vector<Mistakes> mistakes(weights.size());
         for (std::size_t i = 0; i < mistakes.size() && i < z.size() && z.size() > 1; ++i)
             mistakes[i] = {{half[i], "that is half a solution: of L y = z and U w = y only y"},
                            {z[i], "that is z: Q^-1 is missing"}};
-        count("weights", process.weights.size());
-        numbers("weight", process.weights, tolerance_of(model.covariance, process), mistakes);
+        count("weights", weights.size());
+        numbers("weight", weights, tolerance, mistakes);
     });
 }
 
-// A variance that is negative by much more than by rounding.
-struct TooSmall : Sobolev {
-    double zz() const override { return 50; }
-};
-
 void posterior_variance_values() {
-    for_each_model([](const Model& model, const Directions& directions) {
-        const GaussianProcess process(model.covariance, model.noise, directions);
-        value("the variance", process.variance, tolerance_of(model.covariance, process), 0.1,
-              {{2 * model.covariance.zz() - process.variance, "z^T w is added, and it should be subtracted"}});
-    });
-    const TooSmall covariance;
-    const GaussianProcess process(covariance, 0.1, directions_of(41));
-    double difference = covariance.zz();
-    for (std::size_t i = 0; i < process.z.size(); ++i) difference -= process.weights[i] * process.z[i];
-    in = "a zz that is too small, as by rounding: ";
-    value("the variance", process.variance, 0, 0,
-          {{difference, "a negative variance should be 0"},
-           {-difference, "where the difference is negative, 0 is right"}});
+    for (const std::size_t n : {3u, 1u, 9u, 41u, 100u}) {
+        const Numbers z = numbers_of(n, 7), weights = numbers_of(n, 8);
+        const double product = std::inner_product(z.begin(), z.end(), weights.begin(), 0.0);
+        for (const double more : {0.03, 1.0, -0.1}) {  // the last as by rounding
+            const double zz = (1 + more) * product;
+            in = formatted("n = %zu, zz = %.4g, z^T w = %.4g: ", n, zz, product), samples = static_cast<double>(n);
+            value("the variance", posterior_variance(zz, z, weights), 1e-11, zz,
+                  {{zz + product, "z^T w is added, and it should be subtracted"},
+                   {zz - product, "a negative variance should be 0"},
+                   {product - zz, "where the difference is negative, 0 is right"}});
+        }
+    }
 }
 
 void integral_values() {
@@ -356,11 +361,11 @@ struct Row {
     Placement placement;
     Known known;
 };
-const Row rows[] = {
+const Row rows[] = {  // without lattices, which the task rotate turns
     {"", 3, CovarianceFamily::squared_exponential, 0.3, {}, Known::nothing},
     {", placement cosine", 41, CovarianceFamily::sobolev, 0.05, {Arrangement::random, Known::cosine}, Known::nothing},
-    {", known cosine", 20, CovarianceFamily::sobolev, 0.05, {}, Known::cosine},
-    {", placement fibonacci", 100, CovarianceFamily::sobolev, 0.05, {Arrangement::lattice}, Known::nothing}};
+    {", placement stratified", 20, CovarianceFamily::sobolev, 0.05, {Arrangement::stratified}, Known::nothing},
+    {", known cosine", 100, CovarianceFamily::sobolev, 0.05, {}, Known::cosine}};
 
 void errors(const char* what, const Statistics& of, double tolerance, double factor = 1, const char* mistake = "") {
     const std::string name = std::string(what) + " errors";
@@ -421,11 +426,10 @@ void reflected_radiance_values() {
         const double red = random.uniform(), green = random.uniform();
         map.set(texel % 16, texel / 16, {0.1 + red, 0.1 + green, 0.1 + red * green});
     }
-    const Scene scene = sphere_scene;
-    Scene no_shadow = scene;
-    no_shadow.sphere.centre.y = no_shadow.rectangle.y = -1e9;
-    for_each_hit(scene, {24, 24}, [&](int x, int y, const Hit& hit) {
+    for_each_hit(sphere_scene, {24, 24}, [&](int x, int y, const Hit& hit) {
         if ((x + y) % 5 != 0) return;
+        Hit alone = hit;  // from where no object is in the way
+        alone.point.y = 1e9;
         Frame frame(hit.normal);
         if (y % 2 == 0) frame.tangent = -1 * frame.tangent, frame.bitangent = -1 * frame.bitangent;  // half a turn
         QuadratureRule rule{directions_of(x % 2 == 0 ? 9 : 100), {}, Known::cosine};
@@ -433,12 +437,11 @@ void reflected_radiance_values() {
         for (const Vec3& w : rule.directions) rule.weights.push_back((1 + w.x) * random.uniform() - 0.2);
         QuadratureRule twice = rule;
         for (std::size_t i = 0; i < rule.size(); ++i) twice.weights[i] *= rule.directions[i].y;
-        const Color came = reflected_radiance(scene, map, hit, rule, frame),
-                    open = reflected_radiance(no_shadow, map, hit, rule, frame),
-                    still = reflected_radiance(scene, map, hit, rule, upright),
-                    dark = reflected_radiance(scene, map, hit, twice, frame);
-        in = formatted("in column %d of row %d of 24, at the ", x, y) +
-             (hit.object == Object::sphere ? "sphere" : "rectangle") + ", normal " + text(hit.normal) + ": ";
+        const Color came = reflected_radiance(sphere_scene, map, hit, rule, frame),
+                    open = reflected_radiance(sphere_scene, map, alone, rule, frame),
+                    still = reflected_radiance(sphere_scene, map, hit, rule, upright),
+                    dark = reflected_radiance(sphere_scene, map, hit, twice, frame);
+        in = formatted("in column %d of row %d of 24, normal ", x, y) + text(hit.normal) + ": ";
         const auto channel = [&](const char* name, double Color::*part) {
             value(name, came.*part, 1e-9, 1,
                   {{open.*part, "there is light from directions in the shadow"},
@@ -491,10 +494,12 @@ RenderSettings settings_of(Method method, Placement placement, std::size_t n) {
     return settings;
 }
 
+// Without lattices, which the task rotate turns.
 void shared_rules_values() {
     for (std::size_t method = 0; method < std::size(method_names); ++method)
         for (std::size_t placement = 0; placement < std::size(placement_names); ++placement)
             for (const std::size_t n : {3u, 20u}) {
+                if (placement_of(placement).arrangement == Arrangement::lattice) continue;
                 const PixelRules rules(settings_of(static_cast<Method>(method), placement_of(placement), n));
                 const std::string of = formatted("method %s, placement %s, n = %zu: ", method_names[method],
                                                  placement_names[placement], n);
@@ -517,7 +522,7 @@ int index_of(const QuadratureRule& rule, const SharedRules& shared) {
 template <Method method>
 void rule_for_values() {
     const std::pair<std::size_t, Placement> sets[] = {
-        {3, {}}, {20, {Arrangement::random, Known::cosine}}, {40, cosine_lattice}};
+        {3, {}}, {20, {Arrangement::random, Known::cosine}}, {40, {Arrangement::stratified}}};
     for (const auto& [n, placement] : sets) {
         const PixelRules rules(settings_of(method, placement, n));
         for (const Vec3& direction : directions_of(12)) {
