@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 using namespace bmc;
 
@@ -26,7 +27,16 @@ struct Number {
     std::string name;
     double value;
     double least;  // what counts as a standard deviation at least: correct programs differ in frames and roundings, too
+    double free = 0;  // a difference that does not count
 };
+
+// The step of the codes of a .hdr picture, which shares one exponent between three bytes: 2^-8 of the power of 2 above
+// the largest channel. Programs truncate or round to it; another picture has no step.
+double step_of(bool hdr, Color color) {
+    int exponent = 0;
+    std::frexp(std::max({color.x, color.y, color.z}), &exponent);
+    return hdr ? std::ldexp(1, exponent - 8) : 0;
+}
 
 // The linear light of an image that has been written to a file and read.
 Image stored(Image image, const PictureRequest& request) {
@@ -48,15 +58,15 @@ Image true_picture(const EnvironmentMap& light, PictureRequest request) {
     return rendered(light, request);
 }
 
-// Whether two colours differ by at most two codes of a PPM.
-bool looks_like(Color here, Color right) {
-    const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.002 + 0.02 * b; };
+// Whether two colours differ by at most two codes of a PPM, or a step.
+bool looks_like(Color here, Color right, double step) {
+    const auto near = [step](double a, double b) { return std::fabs(a - b) <= 0.002 + 0.02 * b + step; };
     return near(here.x, right.x) && near(here.y, right.y) && near(here.z, right.z);
 }
 
 // A line if too many pixels without an object differ. They may show the light as this project does, or the
 // texel that the ray meets: smaller than a pixel, one is as good as the other.
-std::string background_difference(const Image& picture, const Image& truth, const EnvironmentMap& light,
+std::string background_difference(const Image& picture, bool hdr, const Image& truth, const EnvironmentMap& light,
                                   const PictureRequest& request) {
     const Camera camera{picture.width, picture.height};
     Image texels(picture.width, picture.height);
@@ -69,7 +79,8 @@ std::string background_difference(const Image& picture, const Image& truth, cons
         for (int x = 0; x < picture.width; ++x) {
             if (intersect(sphere_scene, camera.ray(x, y))) continue;
             all += 1;
-            if (!looks_like(picture(x, y), truth(x, y)) && !looks_like(picture(x, y), texels(x, y)))
+            const double step = step_of(hdr, truth(x, y));
+            if (!looks_like(picture(x, y), truth(x, y), step) && !looks_like(picture(x, y), texels(x, y), step))
                 differing.push_back({x, y});
         }
     const double count = static_cast<double>(differing.size());
@@ -92,10 +103,12 @@ double correlation(const Errors& errors, int columns, int rows) {
     return squares > 0 ? products / squares : 0;
 }
 
-std::vector<Number> numbers_of(const Image& picture, const Image& truth, const Object object, bool one_rule) {
-    const std::string name = object == Object::sphere ? "sphere, " : "rectangle, ";
+std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& truth, Object object, bool one_rule) {
+    const int number = static_cast<int>(object);
+    const std::string name = number == 0 ? "sphere, " : number == 1 ? "rectangle, " : formatted("object %d, ", number);
     Statistics size;  // of errors; their squares would depend on a few pixels under a bright sun
     Color sum, light;
+    double steps = 0;
     const auto for_each_pixel = [&](auto f) {
         for_each_hit(sphere_scene, {truth.width, truth.height}, [&](int x, int y, const Hit& hit) {
             if (hit.object == object) f(x, y, picture(x, y) - truth(x, y), truth(x, y));
@@ -104,6 +117,7 @@ std::vector<Number> numbers_of(const Image& picture, const Image& truth, const O
     for_each_pixel([&](int, int, Color error, Color right) {
         sum += error;
         light += right;
+        steps += step_of(hdr, right);
         for (const double each : {error.x, error.y, error.z}) size.add(std::fabs(each));
     });
     const auto mean = [](double error, double right) { return error / std::max(right, 1e-9); };
@@ -114,18 +128,23 @@ std::vector<Number> numbers_of(const Image& picture, const Image& truth, const O
     });
     const double least = one_rule ? 0.05 : 0.03;  // one rule for all pixels: few errors are independent
     return {{name + "log of error size", portable::log(std::max(size.mean, 1e-9)), 0.02},
-            {name + "mean error, red", mean(sum.x, light.x), 0.004},
-            {name + "mean error, green", mean(sum.y, light.y), 0.004},
-            {name + "mean error, blue", mean(sum.z, light.z), 0.004},
+            {name + "mean error, red", mean(sum.x, light.x), 0.004, mean(steps / 2, light.x)},
+            {name + "mean error, green", mean(sum.y, light.y), 0.004, mean(steps / 2, light.y)},
+            {name + "mean error, blue", mean(sum.z, light.z), 0.004, mean(steps / 2, light.z)},
             {name + "correlation in rows", correlation(errors, 1, 0), least},
             {name + "correlation in columns", correlation(errors, 0, 1), least},
             {name + "correlation down right", correlation(errors, 1, 1), least},
             {name + "correlation down left", correlation(errors, -1, 1), least}};
 }
 
-std::vector<Number> numbers_of(const Image& picture, const Image& truth, bool one_rule) {
-    std::vector<Number> all = numbers_of(picture, truth, Object::sphere, one_rule);
-    for (const Number& number : numbers_of(picture, truth, Object::rectangle, one_rule)) all.push_back(number);
+// Of all objects that the picture shows.
+std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& truth, bool one_rule) {
+    std::set<Object> objects;
+    for_each_hit(sphere_scene, {truth.width, truth.height},
+                 [&](int, int, const Hit& hit) { objects.insert(hit.object); });
+    std::vector<Number> all;
+    for (const Object object : objects)
+        for (const Number& number : numbers_of(picture, hdr, truth, object, one_rule)) all.push_back(number);
     return all;
 }
 
@@ -138,7 +157,9 @@ std::string number_differences(const std::vector<Number>& numbers, const std::ve
         for (const std::vector<Number>& each : correct) statistics.add(each[i].value);
         // Of the difference of one number more from the mean of these.
         const double spread = statistics.standard_error() * std::sqrt(statistics.count + 1);
-        const double deviations = (numbers[i].value - statistics.mean) / std::max(spread, numbers[i].least);
+        const double difference = numbers[i].value - statistics.mean;
+        const double deviations = std::copysign(std::max(0.0, std::fabs(difference) - numbers[i].free), difference) /
+                                  std::max(spread, numbers[i].least);
         if (std::fabs(deviations) <= most) continue;
         text += formatted("%-34s %+9.3f %+10.3f %+12.1f", numbers[i].name.c_str(), numbers[i].value, statistics.mean,
                           deviations);
@@ -164,13 +185,13 @@ std::string differences(const std::string& file, const EnvironmentMap& light, Pi
     RenderSettings& settings = request.settings;
     settings.width = picture.width, settings.height = picture.height;
     const Image truth = true_picture(light, request);
-    const bool one_rule = PixelRules(settings).shared.size() == 1;
+    const bool hdr = found.header.find(".hdr") == 0, one_rule = PixelRules(settings).shared.size() == 1;
     std::vector<std::vector<Number>> correct;
     for (settings.seed = first_seed; correct.size() < correct_pictures; ++settings.seed)
-        correct.push_back(numbers_of(rendered(light, request), truth, one_rule));
+        correct.push_back(numbers_of(rendered(light, request), hdr, truth, one_rule));
     // Numbers of pictures by one rule have longer tails, which eight draws hardly show.
-    const std::string text = number_differences(numbers_of(picture, truth, one_rule), correct, one_rule ? 8 : 6);
-    return background_difference(picture, truth, light, request) +
+    const std::string text = number_differences(numbers_of(picture, hdr, truth, one_rule), correct, one_rule ? 8 : 6);
+    return background_difference(picture, hdr, truth, light, request) +
            (text.empty() ? "" : "number                                  here   expected   deviations\n" + text);
 }
 
@@ -182,7 +203,7 @@ std::string run(int argc, char** argv, int& status) {
     options.add("help", "prints this text", help);
     parse_options(argc, argv, options);
     if (help)
-        return "usage: build/judge PICTURE [options]     a PPM or PFM of the sphere scene\n\n"
+        return "usage: build/judge PICTURE [options]     a PPM, PFM or .hdr of the sphere scene\n\n"
                "The options say how the picture was made; --size, --format and --seed do not count.\n\n" +
                describe(options);
     if (argc - optind != 1) throw std::invalid_argument("name one picture, as in build/judge out.ppm --method direct");

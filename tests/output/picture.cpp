@@ -25,24 +25,14 @@ bool read_word(std::istream& in, Word& word) {
     return static_cast<bool>(in >> word);
 }
 
-// Whether a program wrote the file in text mode: there is a CR before every LF.
-bool has_text_line_ends(const std::string& bytes) {
-    std::size_t ends = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        if (bytes[i] != '\n') continue;
-        if (i == 0 || bytes[i - 1] != '\r') return false;
-        ++ends;
-    }
-    return ends > 0;
-}
-
-// Throws if there are more or fewer bytes than the header announces.
-void require_size(const std::string& bytes, std::size_t expected) {
+// Throws if there are more or fewer bytes than the header announces, which ends at `begin`. In text mode it has a CR
+// before its LF.
+void require_size(const std::string& bytes, std::size_t begin, std::size_t expected) {
     if (bytes.size() == expected || (bytes.size() == expected + 1 && bytes.back() == '\n')) return;
     const std::size_t size = bytes.size();
     std::string text = size < expected ? bmc::formatted("bytes that are missing at the end: %zu", expected - size)
                                        : bmc::formatted("bytes behind the last pixel: %zu", size - expected);
-    if (has_text_line_ends(bytes))
+    if (bytes.find("\r\n") <= begin)
         text += "; it was written in text mode, with CR before LF: open the file in binary mode";
     throw std::runtime_error(text);
 }
@@ -78,7 +68,7 @@ Picture parse_picture(const std::string& bytes) {
         throw std::runtime_error(bmc::formatted("its size %d x %d is not from 1 x 1 to 9999 x 9999", width, height));
     const std::size_t begin = static_cast<std::size_t>(in.tellg()), size = floats ? 4 : 1;
     const std::size_t count = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (!text) require_size(bytes, begin + size * count);
+    if (!text) require_size(bytes, begin, begin + size * count);
     if (text && bytes.size() < begin + 2 * count - 1) throw std::runtime_error("it ends before the last pixel");
     Picture picture{floats ? bmc::Format::pfm : bmc::Format::ppm, bytes.substr(0, begin - 1), {width, height}};
     std::replace(picture.header.begin(), picture.header.end(), '\n', ' ');
