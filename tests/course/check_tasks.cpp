@@ -24,6 +24,12 @@ std::FILE* values;   // where the lines go; standard output is for what a task s
 std::string in;      // the input that is tried
 double samples = 1;  // how many it has
 
+std::map<std::string, void (*)()> checks;  // of each function
+
+struct Check {
+    Check(const char* function, void (*check)()) { checks[function] = check; }
+};
+
 template <class Number>
 struct Mistake {
     Number gives;
@@ -67,32 +73,32 @@ void vector(const std::string& what, Vec3 v, const std::vector<Mistake<Vec3>>& m
     }
 }
 
-// Of many numbers, so that files stay small: the first three, the last, and a sum that every one changes.
 void numbers(const std::string& what, const Numbers& of, double tolerance, const std::vector<Mistakes>& mistakes = {}) {
-    double scale = 0, sum = 0;
+    double scale = 0;
     for (const double each : of) scale = std::max(scale, std::fabs(each));
-    for (std::size_t i = 0; i < of.size(); ++i) {
-        sum += static_cast<double>(i % 7 + 1) * of[i];
-        if (i < 3 || i + 1 == of.size())
-            value(what + formatted(" %zu", i), of[i], tolerance, scale, mistakes.empty() ? Mistakes{} : mistakes[i]);
-    }
-    value("the sum of (i % 7 + 1) times " + what + " i", sum, tolerance, scale * static_cast<double>(of.size()));
+    for (std::size_t i = 0; i < of.size(); ++i)
+        value(what + formatted(" %zu", i), of[i], tolerance, scale, mistakes.empty() ? Mistakes{} : mistakes[i]);
 }
 
-// Large ones: the first and the last row, the diagonal, and a sum.
-void matrix(const std::string& name, const Matrix& m, double tolerance, const Mistakes& mistakes = {}) {
+// Of large ones, so that files stay small: the first and the last row, the diagonal, and a sum that every one changes.
+// mistakes(i, j) are those of an element.
+template <class Function>
+void matrix(const std::string& name, const Matrix& m, double tolerance, double on_diagonal, Function mistakes) {
     double scale = 0, sum = 0;
     count("elements of " + name, m.rows * m.columns);
-    for (std::size_t i = 0; i < m.rows; ++i)
-        for (std::size_t j = 0; j < m.columns; ++j) scale = std::max(scale, std::fabs(m(i, j)));
+    for (const double each : m.elements) scale = std::max(scale, std::fabs(each));
     for (std::size_t i = 0; i < m.rows; ++i)
         for (std::size_t j = 0; j < m.columns; ++j) {
-            sum += m(i, j) * m(i, j);
+            sum += static_cast<double>(1 + (i + 2 * j) % 7) * m(i, j);
             if (m.rows < 10 || i == 0 || i + 1 == m.rows || i == j)
-                value(name + formatted(name.back() == ',' ? " (%zu, %zu)" : "(%zu, %zu)", i, j), m(i, j), tolerance,
-                      scale, i == j ? Mistakes{} : mistakes);
+                value(name + formatted(name.back() == ',' ? " (%zu, %zu)" : "(%zu, %zu)", i, j), m(i, j),
+                      i == j ? on_diagonal : tolerance, scale, mistakes(i, j));
         }
-    value("the sum of the squares of the elements of " + name, sum, tolerance, scale * scale);
+    value("the sum of (1 + (i + 2 j) % 7) times the elements of " + name, sum, on_diagonal,
+          scale * static_cast<double>(m.elements.size()));
+}
+void matrix(const std::string& name, const Matrix& m, double tolerance) {
+    matrix(name, m, tolerance, tolerance, [](std::size_t, std::size_t) { return Mistakes{}; });
 }
 
 Directions directions_of(std::size_t n) {
@@ -100,27 +106,31 @@ Directions directions_of(std::size_t n) {
     return random_directions(n, random);
 }
 
-// ---- The models: a line for each that is tried
+// ---- The models: a line for each that is tried, without lattices, which the task rotate turns
 
-const Sobolev sobolev;
-const SobolevKnownCosine known_cosine;
-const GeneralSobolev rougher(1.4);
-const SquaredExponential smooth(0.4);
-
-struct Model {
-    const char* name;
-    const Covariance& covariance;
-    double noise;
-    std::size_t samples;
+struct Model : ErrorSettings {
+    const char* words = "";
+    std::size_t n = 1;
 };
-const Model models[] = {{"Sobolev 1.5", sobolev, 0.3, 3},
-                        {"Sobolev 1.5", sobolev, 0.3, 1},
-                        {"squared exponential 0.4", smooth, 0.3, 3},
-                        {"Sobolev 1.4", rougher, 0.05, 9},
-                        {"squared exponential 0.4", smooth, 0.05, 20},
-                        {"Sobolev 1.5 with the known part cosine", known_cosine, 0.05, 8},
-                        {"Sobolev 1.5", sobolev, 0.02, 41},
-                        {"Sobolev 1.5", sobolev, 0.01, 100}};  // no program takes more unless it is asked to
+Model model(const char* words, std::size_t n, double noise, CovarianceFamily family = CovarianceFamily::sobolev,
+            Known known = Known::nothing, Placement placement = {}, double smoothness = 1.5) {
+    Model of;
+    of.words = words, of.n = n;
+    of.noise = noise, of.covariance = family, of.known = known, of.placement = placement;
+    of.smoothness = smoothness, of.length_scale = 0.4, of.seed = seed;
+    return of;
+}
+std::vector<Model> models() {
+    constexpr CovarianceFamily sobolev = CovarianceFamily::sobolev, smooth = CovarianceFamily::squared_exponential;
+    return {model("Sobolev 1.5", 3, 0.3),
+            model("Sobolev 1.5", 1, 0.3),
+            model("squared exponential 0.4", 3, 0.3, smooth),
+            model("Sobolev 1.4", 9, 0.05, sobolev, Known::nothing, {Arrangement::random, Known::cosine}, 1.4),
+            model("squared exponential 0.4", 20, 0.05, smooth, Known::nothing, {Arrangement::stratified}),
+            model("Sobolev 1.5 with the known part cosine", 8, 0.05, sobolev, Known::cosine),
+            model("Sobolev 1.5", 41, 0.02),
+            model("Sobolev 1.5", 100, 0.01)};  // no program takes more unless it is asked to
+}
 
 // What the same Q but for rounding may change. The squared chord of a direction and itself is 0, or 2 - 2 w.w, where
 // each square of a coordinate has some six roundings of 1.1e-16 (in sin(theta), the azimuth, and their product), and
@@ -131,58 +141,40 @@ double rounding(const Covariance& k) { return std::max(1e-11, 1 - k.k(4e-15) / k
 // Such a change of Q changes the weights by at most the largest sum of absolute values in a row of Q^-1 as much, and
 // that is at most about 1 / noise^2.
 double tolerance_of(const Covariance& k, double noise) { return 1e-9 + rounding(k) * k.k(0) / (noise * noise); }
-double tolerance_of(const Covariance& k, const GaussianProcess& process) {
-    const std::size_t n = process.directions.size();
-    double largest = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-        Numbers column(n);
-        column[j] = 1;
-        double sum = 0;
-        for (const double each : process.cholesky.solve(column)) sum += std::fabs(each);
-        largest = std::max(largest, sum);
-    }
-    return 1e-9 + rounding(k) * k.k(0) * largest;
-}
 
-// Calls f(model, its directions) for each.
+// Calls f(model, its covariance, its directions) for each.
 template <class Function>
 void for_each_model(Function f) {
-    for (const Model& model : models) {
-        in = formatted("%s, noise %g, n = %zu: ", model.name, model.noise, model.samples);
-        samples = static_cast<double>(model.samples);
-        f(model, directions_of(model.samples));
+    for (const Model& each : models()) {
+        in = formatted("%s, noise %g, n = %zu: ", each.words, each.noise, each.n);
+        samples = static_cast<double>(each.n);
+        f(each, *each.make_covariance(), directions_of(each.n));
     }
 }
 
 // ---- inverse
 
-void covariance_matrix_values() {
-    for_each_model([](const Model& model, Directions w) {
-        const Covariance& k = model.covariance;
-        const std::size_t n = w.size();
-        const Matrix q = covariance_matrix(k, model.noise, w);
-        count("elements", q.rows * q.columns);
-        double sum = 0;
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < n; ++j) {
-                sum += q(i, j) * static_cast<double>(1 + (i + 2 * j) % 7);
-                if (n > 9 && i > 0 && i + 1 < n && i != j) continue;
-                const double chord = length(w[i] - w[j]), k0 = k.k(0);
-                value(formatted("Q(%zu, %zu)", i, j), q(i, j), i == j ? rounding(k) : 1e-11, k0,
-                      {{i == j ? NAN : k.k(chord), "that is k(chord), and k takes the squared chord"},
-                       {i == j ? k0 + model.noise : NAN, "the noise is added, and its square should be"},
-                       {i == j ? k0 : NAN, "noise^2 is missing"},
-                       {i == j ? NAN : k.k(chord * chord) + model.noise * model.noise,
-                        "noise^2 is for the diagonal alone"}});
-            }
-        value("the sum of (1 + (i + 2 j) % 7) Q(i, j)", sum, rounding(k), samples * samples);
+const Check covariance_matrix_check("covariance_matrix", [] {
+    for_each_model([](const Model& model, const Covariance& k, const Directions& w) {
+        const double k0 = k.k(0), square = model.noise * model.noise;
+        matrix("Q", covariance_matrix(k, model.noise, w), 1e-11, rounding(k), [&](std::size_t i, std::size_t j) {
+            const double chord = length(w[i] - w[j]);
+            if (i == j)
+                return Mistakes{{k0 + model.noise, "the noise is added, and its square should be"},
+                                {k0, "noise^2 is missing"}};
+            return Mistakes{{k.k(chord), "that is k(chord), and k takes the squared chord"},
+                            {k.k(chord * chord) + square, "noise^2 is for the diagonal alone"}};
+        });
     });
     for (const double noise : {0.0, 0.3}) {
         in = formatted("noise %g, the direction (0, 1, 0) twice: ", noise), samples = 2;
-        const Matrix q = covariance_matrix(sobolev, noise, {{0, 1, 0}, {0, 1, 0}});
-        matrix("Q", q, 1e-12, {{sobolev.k(0) + noise * noise, "noise^2 is for i = j, not for equal directions"}});
+        const double all = Sobolev().k(0) + noise * noise;
+        matrix("Q", covariance_matrix(Sobolev(), noise, {{0, 1, 0}, {0, 1, 0}}), 1e-12, 1e-12,
+               [all](std::size_t i, std::size_t j) {
+                   return Mistakes{{i == j ? NAN : all, "noise^2 is for i = j, not for equal directions"}};
+               });
     }
-}
+});
 
 // Symmetric, with no eigenvalue below the least: if that is small, few digits of a float are left in the end; if it is
 // 1, all digits should be right.
@@ -216,7 +208,7 @@ void for_each_positive_matrix(Function f) {
         for (const double least : {1.0, 1e-4}) f(positive_matrix(n, least), 1e-12 + 1e-12 / least);
 }
 
-void upper_factor_values() {
+const Check upper_factor_check("upper_factor", [] {
     for_each_positive_matrix([](const Matrix& a, double tolerance) {
         const Matrix u = Cholesky(a).upper;
         double below = 0;
@@ -233,37 +225,37 @@ void upper_factor_values() {
         throws<NotPositiveDefinite>(formatted("the rows (4, 2), (2, 1%+.2g)", last - 1),
                                     "root_of_pivot throws NotPositiveDefinite for such a pivot", [&] { Cholesky{a}; });
     }
-}
+});
 
-void inverse_values() {
+const Check inverse_check("inverse", [] {
     for_each_positive_matrix([](const Matrix& a, double tolerance) {
         const Matrix inverse = Cholesky(a).inverse();
         matrix("A A^-1, which should be 1 or 0 there,", transposed_times(a, inverse), 1e3 * tolerance);
         matrix("the inverse", inverse, tolerance);
     });
-}
+});
 
 // ---- z
 
-void z_of_values() {
-    for_each_model([](const Model& model, Directions w) {
+const Check z_of_check("z_of", [] {
+    for_each_model([](const Model&, const Covariance& k, Directions w) {
         w.insert(w.end(), {{0, 1 + 4e-16, 0}, {1, 0, 0}, {0, 1, 0}});
-        const Numbers z = z_of(model.covariance, w);
+        const Numbers z = z_of(k, w);
         samples = static_cast<double>(w.size());
         count("z", z.size());
         for (std::size_t i = 0; i < z.size() && i < w.size(); ++i) {
             const double cosine = std::min(1.0, w[i].y), angle = std::acos(cosine);
             value(formatted("z of direction %zu, ", i) + text(w[i]), z[i], 1e-9, 0,
-                  {{angle <= 1 ? model.covariance.z(angle) : NAN, "that is z(angle), and z takes the cosine, y"},
-                   {model.covariance.z(std::min(1.0, std::fabs(w[i].z))), "that is z of z, not of y"},
-                   {model.covariance.k(cosine), "that is k(y), not z(y)"}});
+                  {{angle <= 1 ? k.z(angle) : NAN, "that is z(angle), and z takes the cosine, y"},
+                   {k.z(std::min(1.0, std::fabs(w[i].z))), "that is z of z, not of y"},
+                   {k.k(cosine), "that is k(y), not z(y)"}});
         }
     });
     in = "";
     throws<std::invalid_argument>("a direction below the horizon", "Covariance::z throws for its y", [] {
-        z_of(sobolev, {{0.6, -0.8, 0}});
+        z_of(Sobolev(), {{0.6, -0.8, 0}});
     });
-}
+});
 
 // ---- integral
 
@@ -274,7 +266,7 @@ Numbers numbers_of(std::size_t n, std::uint64_t stream) {
     return of;
 }
 
-void bayesian_weights_values() {
+const Check bayesian_weights_check("bayesian_weights", [] {
     for_each_positive_matrix([](const Matrix& a, double tolerance) {
         const Cholesky cholesky(a);
         const Numbers z = numbers_of(a.rows, 7), half = cholesky.forward_substitution(z),
@@ -286,9 +278,9 @@ void bayesian_weights_values() {
         count("weights", weights.size());
         numbers("weight", weights, tolerance, mistakes);
     });
-}
+});
 
-void posterior_variance_values() {
+const Check posterior_variance_check("posterior_variance", [] {
     for (const std::size_t n : {3u, 1u, 9u, 41u, 100u}) {
         const Numbers z = numbers_of(n, 7), weights = numbers_of(n, 8);
         const double product = std::inner_product(z.begin(), z.end(), weights.begin(), 0.0);
@@ -301,11 +293,11 @@ void posterior_variance_values() {
                    {product - zz, "where the difference is negative, 0 is right"}});
         }
     }
-}
+});
 
-void integral_values() {
-    for_each_model([](const Model& model, const Directions& directions) {
-        const GaussianProcess process(model.covariance, model.noise, directions);
+const Check integral_check("integral", [] {
+    for_each_model([](const Model& model, const Covariance& k, const Directions& directions) {
+        const GaussianProcess process(k, model.noise, directions);
         Random random(seed, 7);
         Numbers y;
         double sum = 0, by_z = 0;
@@ -313,10 +305,10 @@ void integral_values() {
             y.push_back(3 * random.uniform() - 1);
             sum += y.back(), by_z += z * y.back();
         }
-        value("the estimate", process.integral(y), tolerance_of(model.covariance, process), 2 * pi,
+        value("the estimate", process.integral(y), tolerance_of(k, model.noise), 2 * pi,
               {{2 * pi * sum / samples, "that is Monte Carlo's"}, {by_z, "that is the sum of z_i Y_i"}});
     });
-}
+});
 
 // ---- montecarlo
 
@@ -342,30 +334,16 @@ void rule_values(const QuadratureRule& rule, const Frame& frame, double toleranc
     value("whether the known part is cosine (1) or nothing (0)", rule.known == Known::cosine, 0);
 }
 
-void monte_carlo_rule_values() {
+const Check monte_carlo_rule_check("monte_carlo_rule", [] {
     for (const Known density : {Known::nothing, Known::cosine})
         for (const std::size_t n : {3u, 1u, 41u, 100u}) {
             in = formatted(density == Known::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
             samples = static_cast<double>(n);
             rule_values(monte_carlo_rule({directions_of(n), density}), upright, 1e-9, false);
         }
-}
+});
 
 // ---- table
-
-struct Row {
-    const char* words;
-    std::size_t samples;
-    CovarianceFamily covariance;
-    double noise;
-    Placement placement;
-    Known known;
-};
-const Row rows[] = {  // without lattices, which the task rotate turns
-    {"", 3, CovarianceFamily::squared_exponential, 0.3, {}, Known::nothing},
-    {", placement cosine", 41, CovarianceFamily::sobolev, 0.05, {Arrangement::random, Known::cosine}, Known::nothing},
-    {", placement stratified", 20, CovarianceFamily::sobolev, 0.05, {Arrangement::stratified}, Known::nothing},
-    {", known cosine", 100, CovarianceFamily::sobolev, 0.05, {}, Known::cosine}};
 
 void errors(const char* what, const Statistics& of, double tolerance, double factor = 1, const char* mistake = "") {
     const std::string name = std::string(what) + " errors";
@@ -375,41 +353,38 @@ void errors(const char* what, const Statistics& of, double tolerance, double fac
     value("the standard error of the " + name, of.standard_error(), tolerance, 1);
 }
 
-// Calls f(row, tolerance) for each row of the table and each integrand, of so many estimates.
+// Calls f(row, tolerance) for each model and each integrand, of so many estimates.
 template <class Function>
 void for_each_row(std::size_t mc_estimates, std::size_t bmc_estimates, Function f) {
     const std::vector<Integrand> integrands = {{"cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
                                                {"1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
-    for (const Row& row : rows) {
-        ErrorSettings settings;
-        settings.seed = seed, settings.noise = row.noise, settings.covariance = row.covariance;
-        settings.placement = row.placement, settings.known = row.known;
-        settings.mc_estimates = mc_estimates, settings.bmc_estimates = bmc_estimates;
+    for_each_model([&](Model model, const Covariance& k, const Directions&) {
+        model.mc_estimates = mc_estimates, model.bmc_estimates = bmc_estimates;
         Progress progress(1);
-        const std::vector<ErrorRow> of = error_rows(integrands, row.samples, settings, progress);
-        const double tolerance = tolerance_of(*settings.make_covariance(), row.noise);
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            in = "of " + integrands[i].formula + formatted(" with n = %zu%s: ", row.samples, row.words);
-            f(of[i], tolerance);
+        const std::string of = in;
+        const std::vector<ErrorRow> rows = error_rows(integrands, model.n, model, progress);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            in = of + "of " + integrands[i].formula + ", ";
+            f(rows[i], tolerance_of(k, model.noise));
         }
-    }
+    });
 }
 
-void add_mc_errors_values() {
+const Check add_mc_errors_check("add_mc_errors", [] {
     for_each_row(7, 0, [](const ErrorRow& row, double) { errors("mc", row.mc, 1e-9); });
-}
+});
 
-void add_bmc_errors_values() {
+const Check add_bmc_errors_check("add_bmc_errors", [] {
     for_each_row(0, 5, [](const ErrorRow& row, double tolerance) {
         errors("bmc", row.bmc, tolerance);
         errors("predicted", row.predicted, tolerance, std::sqrt(pi / 2),
                "that is the standard error: sqrt(2 / pi) is missing");
     });
-}
+});
 
 // ---- shade
 
-void cosine_rule_values() {
+const Check cosine_rule_check("cosine_rule", [] {
     for (const std::size_t n : {3u, 1u, 41u, 100u}) {
         in = formatted("n = %zu: ", n), samples = static_cast<double>(n);
         const QuadratureRule rule{directions_of(n), Numbers(n, 0.1 + 1 / samples), Known::nothing};
@@ -417,9 +392,9 @@ void cosine_rule_values() {
         in += "of a rule whose known part is cosine, ";
         numbers("weight", cosine_rule({rule.directions, rule.weights, Known::cosine}).weights, 1e-9);
     }
-}
+});
 
-void reflected_radiance_values() {
+const Check reflected_radiance_check("reflected_radiance", [] {
     Random random(seed, 6);
     EnvironmentMap map(16, 8);
     for (int texel = 0; texel < 16 * 8; ++texel) {
@@ -454,20 +429,20 @@ void reflected_radiance_values() {
         channel("green", &Color::y);
         channel("blue", &Color::z);
     });
-}
+});
 
 // ---- rotate
 
-void rotate_around_y_values() {
+const Check rotate_around_y_check("rotate_around_y", [] {
     for (const Vec3& v : directions_of(9))
         for (const double turns : {0.25, 0.1, -0.7, 3.4})
             vector(text(v) + formatted(" turned by %g turns", turns), rotate_around_y(v, turns),
                    {{rotate_around_y(v, turns / (2 * pi)), "turns are taken for radians"},
                     {rotate_around_y(v, turns / 360), "turns are taken for degrees"},
                     {rotate_around_y(v, -turns), "it turns from x towards z"}});
-}
+});
 
-void rotated_values() {
+const Check rotated_check("rotated", [] {
     const Directions normals = directions_of(20), local = directions_of(3);
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const double turns = static_cast<double>(i + 1) / 17;
@@ -481,7 +456,7 @@ void rotated_values() {
                     {frame.rotated(-turns).to_world(v), "it turns from x towards z"},
                     {frame.to_world(v), "it is not turned"}});
     }
-}
+});
 
 // ---- shared_rules and rule_for
 
@@ -495,7 +470,7 @@ RenderSettings settings_of(Method method, Placement placement, std::size_t n) {
 }
 
 // Without lattices, which the task rotate turns.
-void shared_rules_values() {
+const Check shared_rules_check("shared_rules", [] {
     for (std::size_t method = 0; method < std::size(method_names); ++method)
         for (std::size_t placement = 0; placement < std::size(placement_names); ++placement)
             for (const std::size_t n : {3u, 20u}) {
@@ -510,7 +485,7 @@ void shared_rules_values() {
                     rule_values(*rules.shared[i], upright, 1e-5);
                 }
             }
-}
+});
 
 // Which of the shared rules it is, by its weights; -1: none of them.
 int index_of(const QuadratureRule& rule, const SharedRules& shared) {
@@ -541,36 +516,20 @@ void rule_for_values() {
     }
 }
 
-const std::map<std::string, void (*)()> functions{{"covariance_matrix", covariance_matrix_values},
-                                                  {"upper_factor", upper_factor_values},
-                                                  {"inverse", inverse_values},
-                                                  {"z_of", z_of_values},
-                                                  {"bayesian_weights", bayesian_weights_values},
-                                                  {"posterior_variance", posterior_variance_values},
-                                                  {"integral", integral_values},
-                                                  {"monte_carlo_rule", monte_carlo_rule_values},
-                                                  {"add_mc_errors", add_mc_errors_values},
-                                                  {"add_bmc_errors", add_bmc_errors_values},
-                                                  {"cosine_rule", cosine_rule_values},
-                                                  {"reflected_radiance", reflected_radiance_values},
-                                                  {"shared_rules", shared_rules_values},
-                                                  {"rotate_around_y", rotate_around_y_values},
-                                                  {"rotated", rotated_values},
-                                                  {"rule_for_direct", rule_for_values<Method::direct>},
-                                                  {"rule_for_single", rule_for_values<Method::single>},
-                                                  {"rule_for_rotated", rule_for_values<Method::rotated>},
-                                                  {"rule_for_pool", rule_for_values<Method::pool>}};
-
+const Check direct("rule_for_direct", rule_for_values<Method::direct>);
+const Check single("rule_for_single", rule_for_values<Method::single>);
+const Check rotated_rule("rule_for_rotated", rule_for_values<Method::rotated>);
+const Check pool("rule_for_pool", rule_for_values<Method::pool>);
 }  // namespace
 
 int main(int argc, char** argv) {
     std::FILE* const printed = std::tmpfile();
     values = fdopen(dup(1), "w");
-    if (argc != 3 || functions.count(argv[1]) == 0 || !printed || dup2(fileno(printed), 1) < 0) return 2;
+    if (argc != 3 || checks.count(argv[1]) == 0 || !printed || dup2(fileno(printed), 1) < 0) return 2;
     seed = std::strtoull(argv[2], nullptr, 10);
     alarm(60);
     try {
-        functions.at(argv[1])();
+        checks.at(argv[1])();
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 3;
