@@ -298,13 +298,9 @@ const Check posterior_variance_check("posterior_variance", [] {
 const Check integral_check("integral", [] {
     for_each_model([](const Model& model, const Covariance& k, const Directions& directions) {
         const GaussianProcess process(k, model.noise, directions);
-        Random random(seed, 7);
-        Numbers y;
-        double sum = 0, by_z = 0;
-        for (const double z : process.z) {
-            y.push_back(3 * random.uniform() - 1);
-            sum += y.back(), by_z += z * y.back();
-        }
+        const Numbers &z = process.z, y = numbers_of(z.size(), 9);
+        const double sum = std::accumulate(y.begin(), y.end(), 0.0),
+                     by_z = std::inner_product(y.begin(), y.end(), z.begin(), 0.0);
         value("the estimate", process.integral(y), tolerance_of(k, model.noise), 2 * pi,
               {{2 * pi * sum / samples, "that is Monte Carlo's"}, {by_z, "that is the sum of z_i Y_i"}});
     });
