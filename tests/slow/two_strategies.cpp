@@ -7,7 +7,7 @@
 
 using namespace bmc;
 
-static std::vector<QuadratureRule> rules_of_set(std::size_t n, Random& random) {
+static std::vector<QuadratureRule> rules_of_set(std::size_t n, Random random) {
     std::vector<Vec3> set = random_directions(n / 2, random);
     const std::vector<Vec3> others = random_directions(n / 2, random, Known::cosine);
     set.insert(set.end(), others.begin(), others.end());
@@ -27,11 +27,8 @@ int main() {
             RootMeanSquare rmse[3];
             RenderSettings settings = row_settings(costs, {}, n);
             for (; settings.seed <= 20; ++settings.seed) {
-                std::vector<std::vector<QuadratureRule>> pool;
-                for (std::size_t i = 0; i < 20; ++i) {
-                    Random random(settings.seed, i);
-                    pool.push_back(rules_of_set(n, random));
-                }
+                std::vector<std::vector<QuadratureRule>> pool(20);
+                for (std::size_t i = 0; i < pool.size(); ++i) pool[i] = rules_of_set(n, {settings.seed, i});
                 for (std::size_t method = 0; method < 3; ++method) {
                     const Image image = render(light, settings, [&](const Hit& hit, int x, int y) {
                         Random random = pixel_stream(settings, x, y);
