@@ -107,13 +107,6 @@ inline std::vector<std::string> parse(std::vector<std::string> words, const Opti
     return {argv.begin() + optind, argv.end() - 1};
 }
 
-// Whether options take the words of one list and refuse those of the other.
-inline void check_ranges(const Options& options, const std::vector<std::string>& within,
-                         const std::vector<std::string>& beyond) {
-    for (const std::string& word : within) CHECK_MESSAGE(message_of([&] { parse({word}, options); }) == "", word);
-    for (const std::string& word : beyond) CHECK_THROWS_AS_MESSAGE(parse({word}, options), std::invalid_argument, word);
-}
-
 // The rows of a table that are not comments, as words.
 inline std::vector<std::vector<std::string>> rows_of(const std::string& table) {
     std::vector<std::vector<std::string>> rows;
@@ -124,14 +117,6 @@ inline std::vector<std::vector<std::string>> rows_of(const std::string& table) {
             rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
     }
     return rows;
-}
-
-// The names with their enumerators.
-template <class Enumeration, std::size_t rows>
-std::vector<std::pair<const char*, Enumeration>> named(const char* const (&names)[rows]) {
-    std::vector<std::pair<const char*, Enumeration>> all;
-    for (const char* name : names) all.push_back({name, static_cast<Enumeration>(all.size())});
-    return all;
 }
 
 inline std::vector<Vec3> some_directions(std::size_t n, std::uint64_t stream = 0) {
@@ -167,11 +152,6 @@ inline EnvironmentMap sunny_map() {  // dim, with a sun of 6 x 6 degrees
     EnvironmentMap map = even_map(64, 32, 0.5);
     map.set(50, 10, {1000, 900, 800});
     return map;
-}
-
-// A sphere over a rectangle, each of which shadows a part of the other.
-inline Scene test_scene() {
-    return {{{0.5, 0.25, -4}, 1.5, {0.75, 0.5, 0.25}}, {-1.25, -3, 3, -8, -1, {0.25, 0.5, 0.75}}};
 }
 
 // The covariance that the options of these names make.

@@ -24,9 +24,9 @@ TEST_CASE("k is C - r^(2s - 2) with C = 2^(2s - 1) / s, or exp(-r^2 / 2 l^2)") {
 
 // Names the place of a covariance that is only added to the table, and holds M and z of all of them to their k.
 TEST_CASE("the M and z of every covariance with a name agree with its k") {
-    for (const auto& row : named<CovarianceFamily>(covariance_names)) {
-        const auto covariance = covariance_of(row.second, 1.5);
-        INFO(row.first);
+    for (std::size_t family = 0; family < std::size(covariance_names); ++family) {
+        const auto covariance = covariance_of(static_cast<CovarianceFamily>(family), 1.5);
+        INFO(covariance_names[family]);
         for (const double b : {0.01, 0.7, 2.0}) {
             CAPTURE(b);
             double mean = 0;
@@ -59,16 +59,15 @@ TEST_CASE("z and zz agree with 20 digits of quadrature to 2e-15, or 1e-14 at l =
 }
 
 TEST_CASE("parameters and known parts that a covariance cannot have are refused") {
-    for (const double s : {1.0, 2.0, nan_value}) CHECK_THROWS_AS_MESSAGE(GeneralSobolev{s}, std::invalid_argument, s);
+    for (const double s : {1.0, nan_value}) CHECK_THROWS_AS_MESSAGE(GeneralSobolev{s}, std::invalid_argument, s);
     for (const double l : {0.0499999, nan_value, infinity})
         CHECK_THROWS_AS_MESSAGE(SquaredExponential{l}, std::invalid_argument, l);
     CHECK_THROWS_WITH(GeneralSobolev(2), "the smoothness must lie from 1.001 to 1.999; it is 2");
     CHECK_THROWS_WITH(SquaredExponential(0), "the length-scale must lie from 0.05 to 1e+06; it is 0");
     CHECK_THROWS_WITH(Sobolev().z(1.25), "cos(theta) must lie between 0 and 1; it is 1.25");
-    for (const auto& row : named<CovarianceFamily>(covariance_names))
+    for (const CovarianceFamily family : {sobolev, squared_exponential}) {
         for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})
-            CHECK_THROWS_AS_MESSAGE(covariance_of(row.second, 1.4)->z(cosine), std::invalid_argument,
-                                    row.first << cosine);
-    CHECK_THROWS_AS(covariance_of(sobolev, 1.4, Known::cosine), std::invalid_argument);
-    CHECK_THROWS_AS(covariance_of(squared_exponential, 1.5, Known::cosine), std::invalid_argument);
+            CHECK_THROWS_AS_MESSAGE(covariance_of(family, 1.4)->z(cosine), std::invalid_argument, cosine);
+        CHECK_THROWS_AS(covariance_of(family, 1.4, Known::cosine), std::invalid_argument);
+    }
 }
