@@ -2,14 +2,6 @@
 #include "quadrature/quadrature.h"
 #include "test.h"
 
-TEST_CASE("Q is symmetric and full: k of the squared chord, and noise^2 on the diagonal") {
-    const std::vector<Vec3> directions = some_directions(7);
-    const Matrix q = covariance_matrix(Sobolev(), 0.25, directions);
-    for (std::size_t i = 0; i < 7; ++i)
-        for (std::size_t j = 0; j < 7; ++j)
-            CHECK(q(i, j) == Sobolev().k(squared_distance(directions[i], directions[j])) + (i == j) * 0.0625);
-}
-
 // Q = [a b; b a], whose inverse is [a -b; -b a] / (a^2 - b^2). The tolerances are for differences of like numbers.
 TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matrix") {
     for (const Known known : {Known::nothing, Known::cosine}) {

@@ -4,18 +4,13 @@
 // 1e5 Fibonacci points; the edges of a picture leave an error of about n^(-3/4), 2e-4.
 TEST_CASE("the practice's integrands are its four functions, with their integrals") {
     const std::vector<Integrand> all = practice_integrands();
-    const Vec3 here{0.48, 0.8, 0.36};
     REQUIRE(all.size() == 4);
-    CHECK(all[0].value(here) == 0.8);
-    CHECK(std::fabs(all[1].value(here) - 0.512) < 1e-15);
-    CHECK(all[3].value(here) == 1);
     for (const Integrand& integrand : all) {
         double sum = 0;
         for (const Vec3& w : fibonacci_directions(100000)) sum += 2 * pi / 1e5 * integrand.value(w);
         CHECK_MESSAGE(relative(integrand.truth, sum) < 5e-4, integrand.formula);
     }
     CHECK(practice_integrands(PracticeIntegrand::cosine_cubed)[0].truth == pi / 2);
-    CHECK(practice_integrands(PracticeIntegrand::constant).size() == 1);
 }
 
 TEST_CASE("the integrand of a light is luminance above a tilted surface, times cos(theta)") {

@@ -3,13 +3,6 @@
 
 using namespace bmc::beyond;
 
-TEST_CASE("coverage counts the errors of at most two predicted ones, colour by colour") {
-    Image image(40, 40), predicted(40, 40);
-    for (Color& pixel : image.pixels) pixel = {1.98, -2.02, -1.98};
-    for (Color& pixel : predicted.pixels) pixel = {1, 1, 1};
-    CHECK(relative(coverage(image, Image(40, 40), predicted), 2.0 / 3) < 1e-15);
-}
-
 static Image truth_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t samples) {
     settings.samples = samples;
     return render(map, settings, shader_with_sun(map, settings, samples));

@@ -22,44 +22,31 @@ TEST_CASE("a pixel's predicted error is the root mean square in its object's win
         if (hit.object == Object::sphere) a(x, y) = {2, 0, x == 32 && y == 32 ? 7.0 : 0};
     });
     const Image errors = predicted_errors(a, Image(64, 64));
-    double squares = 0, count = 0;
     for_each_hit(sphere_scene, {64, 64}, [&](int x, int y, const Hit& hit) {
         const bool on_sphere = hit.object == Object::sphere, near = std::max(std::abs(x - 32), std::abs(y - 32)) <= 3;
         INFO("x, y: ", x, ", ", y);
         CHECK(std::fabs(errors(x, y).x - (on_sphere ? 2 : 0)) < 1e-14);
         CHECK(std::fabs(errors(x, y).z - (on_sphere && near ? 1 : 0)) < 1e-14);
-        squares += dot(errors(x, y), errors(x, y));
-        count += 3;
     });
     CHECK(errors(0, 0) == Vec3{0, 0, 0});
-    CHECK(relative(root_mean_square(errors), std::sqrt(squares / count)) < 1e-12);
     CHECK(root_mean_square(Image(1, 1)) == 0);
 }
 
-TEST_CASE("windows grow from 7 x 7 pixels to 15 x 15") {
-    for (const auto& [height, reach] : {std::pair(40, 3), {279, 3}, {280, 4}, {490, 7}, {700, 7}}) {
-        Image a(30, height);
-        a(15, height / 2) = {1, 1, 1};  // on the sphere
-        const Image errors = predicted_errors(a, Image(30, height));
-        int across = 0, down = 0;
-        for (int x = 0; x < 30; ++x) across += errors(x, height / 2).x > 0;
-        for (int y = 0; y < height; ++y) down += errors(15, y).x > 0;
-        const int side = 2 * reach + 1, rows = height;
-        CAPTURE(rows);
-        CHECK(across == side);
-        CHECK(down == side);
-    }
+// In how many columns and rows of a picture the error of one pixel is seen.
+static std::vector<int> window_around(int x, int y, int width, int height) {
+    Image a(width, height);
+    a(x, y) = {1, 1, 1};
+    const Image errors = predicted_errors(a, Image(width, height));
+    int across = 0, down = 0;
+    for (int i = 0; i < width; ++i) across += errors(i, y).x > 0;
+    for (int j = 0; j < height; ++j) down += errors(x, j).x > 0;
+    return {across, down};
 }
 
-TEST_CASE("windows end at the borders of the picture") {
-    Image a(60, 40);
-    for (const int x : {0, 59}) a(x, 39) = {1, 1, 1};  // on the rectangle
-    const Image errors = predicted_errors(a, Image(60, 40));
-    std::vector<int> across;
-    for (int x = 0; x < 60; ++x)
-        if (errors(x, 39).x > 0) across.push_back(x);
-    CHECK(across == std::vector<int>{0, 1, 2, 3, 56, 57, 58, 59});
-    CHECK(errors(59, 36).x > 0);
+TEST_CASE("windows grow from 7 x 7 pixels to 15 x 15, and end at the borders of the picture") {
+    for (const auto& [height, side] : {std::pair(40, 7), {279, 7}, {280, 9}, {490, 15}, {700, 15}})
+        CHECK(window_around(15, height / 2, 30, height) == std::vector<int>{side, side});       // on the sphere
+    for (const int x : {0, 59}) CHECK(window_around(x, 39, 60, 40) == std::vector<int>{4, 4});  // on the rectangle
 }
 
 TEST_CASE("a pilot is a small picture, every k-th pixel of a large one, or as many as asked") {

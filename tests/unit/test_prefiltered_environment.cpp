@@ -59,16 +59,6 @@ TEST_CASE("a radiance that exceeds 1e36 is refused") {
     CHECK(std::isfinite(PrefilteredEnvironment(even_map(2, 2, 3.3e35)).sky_irradiance({0, 1, 0}).x));
 }
 
-TEST_CASE("the sun has no part in the sky's means and irradiance") {
-    const EnvironmentMap map = sunny_map(), sky = *Sun(map).sky();
-    const PrefilteredEnvironment light(map), dim(sky);
-    const Vec3 to_sun = towards(50.5 / 63, 10.5 / 31);
-    CHECK(light.sky_irradiance(to_sun) == dim.sky_irradiance(to_sun));
-    CHECK(light.means(pi / 16).radiance(to_sun) == dim.means(pi / 16).radiance(to_sun));
-    CHECK(light.sun.irradiance(to_sun) == Sun(map).irradiance(to_sun));
-    CHECK(dim.sun.empty());
-}
-
 // The integral of (1 + w.slope) cos(theta) is pi + (2 pi / 3) n.slope.
 TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any size of map") {
     const EnvironmentMap many = linear_map(300, 150), texel = even_map(1, 1, 1), column = even_map(1, 7, 1);
