@@ -3,28 +3,22 @@
 #include "light/texels_on_sphere.h"
 #include "test.h"
 
-TEST_CASE("more than a tenth of the objects' pixels above white gives a warning") {
-    const auto warning = [](double grey, double black_fraction, double exposure) {
-        Image image(50, 50);
+TEST_CASE("more than a tenth of the objects' pixels above white gives a warning, of the brightest hundredth or pixel") {
+    const auto warning = [](int size, double exposure, const std::function<double(double)>& light) {
+        Image image(size, size);  // place: from 0 to 1 among the pixels of objects
         double seen = 0, objects = 0;
-        for_each_hit(sphere_scene, {50, 50}, [&](int, int, const Hit&) { ++objects; });
-        for_each_hit(sphere_scene, {50, 50}, [&](int x, int y, const Hit&) {
-            if (++seen > black_fraction * objects) image(x, y) = {0, grey, 0};
+        for_each_hit(sphere_scene, {size, size}, [&](int, int, const Hit&) { ++objects; });
+        for_each_hit(sphere_scene, {size, size}, [&](int x, int y, const Hit&) {
+            image(x, y) = {0, light(++seen / objects), 0};
         });
         return stderr_of([&] { warn_of_exposure(image, exposure); });
     };
-    CHECK(warning(1, 0, 0) == "");
-    CHECK(warning(8, 0.91, 0) == "");
-    CHECK(warning(8, 0.89, 0) ==
+    CHECK(warning(50, 0, [](double) { return 1; }) == "");
+    CHECK(warning(50, 0, [](double place) { return place > 0.91 ? 8 : 0; }) == "");
+    CHECK(warning(50, 0, [](double place) { return place > 0.89 ? 8 : 0; }) ==
           Containing{"brighter than white; --exposure -3.0 makes the brightest hundredth white"});
-    CHECK(warning(4, 0, -0.5) == Containing{"--exposure -2.5 "});
-}
-
-TEST_CASE("of less than a hundred pixels the brightest is made white") {
-    Image rising(8, 8);
-    double stops = 0;
-    for_each_hit(sphere_scene, {8, 8}, [&](int x, int y, const Hit&) { rising(x, y).x = std::exp2(++stops); });
-    CHECK(stderr_of([&] { warn_of_exposure(rising, 0); }) == Containing{formatted("--exposure %.1f ", -stops)});
+    CHECK(warning(50, -0.5, [](double) { return 4; }) == Containing{"--exposure -2.5 "});
+    CHECK(warning(8, 0, [](double place) { return std::exp2(10 * place); }) == Containing{"--exposure -10.0 "});
 }
 
 static std::string warning_of(RenderSettings settings) {

@@ -41,6 +41,7 @@ TEST_CASE("a mistake in an option is a message that names it") {
     CHECK(values.text == "-");
     parse({"--text=--flag"}, options);
     CHECK(values.text == "--flag");
+    CHECK(mistake({"--whole", "0"}) == "--whole: '0' is not a whole number from 1 to 4096");
     CHECK(mistake({"--flag=1"}) == "--flag takes no value");
 }
 

@@ -99,19 +99,3 @@ TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
         CHECK(pilot_rmse(light, settings, 0) != pilot_rmse(light, settings, 1e9));
     }
 }
-
-// Nothing else of the picture goes into it: no weights that are too dark.
-TEST_CASE("the better picture has four times the samples, on the cosine lattice, by other random numbers") {
-    const EnvironmentMap map = coloured_map(16, 9);  // without a sun
-    for (const bool light_known : {false, true}) {
-        const EnvironmentLight light(map, light_known, 1);
-        RenderSettings settings = small_picture(Method::pool, 5, 24);
-        settings.noise = 1000;
-        const Image better = render(map, settings, better_shader(light, settings));
-        settings = small_picture(Method::mc, 20, 24, cosine_lattice);
-        CAPTURE(light_known);
-        CHECK(better.pixels != render(map, settings, shader_of(light, settings)).pixels);
-        ++settings.seed;
-        CHECK(better.pixels == render(map, settings, shader_of(light, settings)).pixels);
-    }
-}

@@ -35,10 +35,12 @@ static std::vector<double> with_lines(const std::string& lines) {
 static const std::string coded = bytes_of({2, 2, 0, 8, 131, 128, 5,   1, 2,   3,   4,   5,   131, 128, 5,
                                            6, 7, 8, 9, 10,  131, 128, 5, 255, 254, 253, 252, 251, 136, 136});
 
-TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exponent 0") {
+TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exponent 0, even if it looks coded") {
     const std::string texels = bytes_of({128, 64, 1, 129, 200, 100, 50, 0, 255, 1, 0, 255, 255, 1, 128, 1});
     CHECK(channels(read_hdr(hdr("-Y 1 +X 4", texels))) ==
           std::vector<double>{1, 0.5, 0x1p-7, 0, 0, 0, 0x1.fep126, 0x1p119, 0, 255 * 0x1p-135, 0x1p-135, 0x1p-128});
+    CHECK(channels(read_hdr(hdr("-Y 1 +X 2", bytes_of({2, 2, 0, 136, 2, 2, 2, 136}))))[4] == 2);
+    CHECK(channels(read_hdr(hdr("-Y 1 +X 8", bytes_of({2, 2, 128, 136}) + std::string(28, '\3'))))[2] == 128);
 }
 
 TEST_CASE("a file's radiances are the true ones times all of its exposures") {
@@ -113,26 +115,18 @@ TEST_CASE("a texel 1 1 1 n of a flat scanline repeats the one before, and others
     CHECK(repeated("518", {7, 7, 7, 136, 1, 1, 1, 3, 1, 1, 1, 2, 9, 9, 9, 136, 1, 1, 1, 1}) == many);
 }
 
-TEST_CASE("coded scanlines of 8 to 32767 texels decode runs and literals of each component") {
+TEST_CASE("coded scanlines of 8 to 32767 texels decode the runs and literals of each component, up to the longest") {
     std::vector<double> both(9, 128);
     for (int i = 0; i < 5; ++i)
         for (const double value : {1 + i, 6 + i, 255 - i}) both.push_back(value);
     for (std::size_t i = 0; i < 24; ++i) both.push_back(both[i]);
-    CHECK(channels(read_hdr(hdr("-Y 2 +X 8", coded + coded))) == both);
-}
-
-TEST_CASE("the longest scanline, run and literal decode") {
-    std::string row = bytes_of({2, 2, 127, 255});
-    for (int run = 0; run < 4 * 259; ++run) row += bytes_of({run % 259 == 258 ? 1 : 128 + 127, 136});  // 258 * 127 + 1
-    CHECK(channels(read_hdr(hdr("-Y 1 +X 32767", row))) == std::vector<double>(3 * 32767, 136));
-    std::string literals = bytes_of({2, 2, 0, 128});  // 128 is the longest literal
+    std::string runs = bytes_of({2, 2, 127, 255}), literals = bytes_of({2, 2, 0, 128});
+    for (int run = 0; run < 4 * 259; ++run) runs += bytes_of({run % 259 == 258 ? 1 : 128 + 127, 136});  // 258 * 127 + 1
     for (int component = 0; component < 4; ++component) literals += bytes_of({128}) + std::string(128, '\x88');
-    CHECK(channels(read_hdr(hdr("-Y 1 +X 128", literals))) == std::vector<double>(3 * 128, 136));
-}
-
-TEST_CASE("a first texel that looks coded, but for a width, begins a flat scanline") {
-    CHECK(channels(read_hdr(hdr("-Y 1 +X 2", bytes_of({2, 2, 0, 136, 2, 2, 2, 136}))))[4] == 2);
-    CHECK(channels(read_hdr(hdr("-Y 1 +X 8", bytes_of({2, 2, 128, 136}) + std::string(28, '\3'))))[2] == 128);
+    for (const auto& [size, texels, decoded] : {std::tuple("-Y 2 +X 8", coded + coded, both),
+                                                {"-Y 1 +X 32767", runs, std::vector<double>(3 * 32767, 136)},
+                                                {"-Y 1 +X 128", literals, std::vector<double>(3 * 128, 136)}})
+        CHECK(channels(read_hdr(hdr(size, texels))) == decoded);
 }
 
 TEST_CASE("a header may have CRLF, other variables, and no format") {
@@ -182,5 +176,14 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
 }
 
 TEST_CASE("an error of reading is not the end of a map, wherever it is") {
-    check_failing_reads(hdr("-Y 1 +X 8", coded), [](std::istream& in) { read_radiance_hdr(in, notes); });
+    struct FailingBuffer : std::stringbuf {
+        using std::stringbuf::stringbuf;
+        int_type underflow() override { throw std::ios::failure("an error of reading"); }
+    };
+    const std::string bytes = hdr("-Y 1 +X 8", coded);
+    for (std::size_t n = 0; n <= bytes.size(); ++n) {
+        FailingBuffer buffer(bytes.substr(0, n));
+        std::istream in(&buffer);
+        CHECK_MESSAGE(message_of([&] { read_radiance_hdr(in, notes); }) == Containing{"an error of reading"}, n);
+    }
 }
