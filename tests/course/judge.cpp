@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 
 using namespace bmc;
 
@@ -103,48 +102,46 @@ double correlation(const Errors& errors, int columns, int rows) {
     return squares > 0 ? products / squares : 0;
 }
 
-std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& truth, Object object, bool one_rule) {
-    const int number = static_cast<int>(object);
-    const std::string name = number == 0 ? "sphere, " : number == 1 ? "rectangle, " : formatted("object %d, ", number);
-    Statistics size;  // of errors; their squares would depend on a few pixels under a bright sun
-    Color sum, light;
-    double steps = 0;
-    const auto for_each_pixel = [&](auto f) {
-        for_each_hit(sphere_scene, {truth.width, truth.height}, [&](int x, int y, const Hit& hit) {
-            if (hit.object == object) f(x, y, picture(x, y) - truth(x, y), truth(x, y));
-        });
+std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& truth, bool one_rule) {
+    struct Pixel {
+        int x, y;
+        Color error, right;
     };
-    for_each_pixel([&](int, int, Color error, Color right) {
-        sum += error;
-        light += right;
-        steps += step_of(hdr, right);
-        for (const double each : {error.x, error.y, error.z}) size.add(std::fabs(each));
+    std::map<Object, std::vector<Pixel>> objects;
+    for_each_hit(sphere_scene, {truth.width, truth.height}, [&](int x, int y, const Hit& hit) {
+        objects[hit.object].push_back({x, y, picture(x, y) - truth(x, y), truth(x, y)});
     });
     const auto mean = [](double error, double right) { return error / std::max(right, 1e-9); };
-    const double brightness = mean(sum.x + sum.y + sum.z, light.x + light.y + light.z);
-    Errors errors;  // but for their mean, which neighbours share
-    for_each_pixel([&](int x, int y, Color error, Color right) {
-        errors[{x, y}] = dot(error - brightness * right, {1, 1, 1});
-    });
     const double least = one_rule ? 0.05 : 0.03;  // one rule for all pixels: few errors are independent
-    return {{name + "log of error size", portable::log(std::max(size.mean, 1e-9)), 0.02},
-            {name + "mean error, red", mean(sum.x, light.x), 0.004, mean(steps / 2, light.x)},
-            {name + "mean error, green", mean(sum.y, light.y), 0.004, mean(steps / 2, light.y)},
-            {name + "mean error, blue", mean(sum.z, light.z), 0.004, mean(steps / 2, light.z)},
-            {name + "correlation in rows", correlation(errors, 1, 0), least},
-            {name + "correlation in columns", correlation(errors, 0, 1), least},
-            {name + "correlation down right", correlation(errors, 1, 1), least},
-            {name + "correlation down left", correlation(errors, -1, 1), least}};
-}
-
-// Of all objects that the picture shows.
-std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& truth, bool one_rule) {
-    std::set<Object> objects;
-    for_each_hit(sphere_scene, {truth.width, truth.height},
-                 [&](int, int, const Hit& hit) { objects.insert(hit.object); });
     std::vector<Number> all;
-    for (const Object object : objects)
-        for (const Number& number : numbers_of(picture, hdr, truth, object, one_rule)) all.push_back(number);
+    for (const auto& [object, pixels] : objects) {
+        const int number = static_cast<int>(object);
+        const std::string name = number == 0   ? "sphere, "
+                                 : number == 1 ? "rectangle, "
+                                               : formatted("object %d, ", number);
+        Statistics size;  // of errors; their squares would depend on a few pixels under a bright sun
+        Color sum, light;
+        double steps = 0;
+        for (const Pixel& each : pixels) {
+            sum += each.error;
+            light += each.right;
+            steps += step_of(hdr, each.right);
+            for (const double error : {each.error.x, each.error.y, each.error.z}) size.add(std::fabs(error));
+        }
+        const double brightness = mean(sum.x + sum.y + sum.z, light.x + light.y + light.z);
+        Errors errors;  // but for their mean, which neighbours share
+        for (const Pixel& each : pixels)
+            errors[{each.x, each.y}] = dot(each.error - brightness * each.right, {1, 1, 1});
+        for (const Number& each : {Number{"log of error size", portable::log(std::max(size.mean, 1e-9)), 0.02},
+                                   Number{"mean error, red", mean(sum.x, light.x), 0.004, mean(steps / 2, light.x)},
+                                   Number{"mean error, green", mean(sum.y, light.y), 0.004, mean(steps / 2, light.y)},
+                                   Number{"mean error, blue", mean(sum.z, light.z), 0.004, mean(steps / 2, light.z)},
+                                   Number{"correlation in rows", correlation(errors, 1, 0), least},
+                                   Number{"correlation in columns", correlation(errors, 0, 1), least},
+                                   Number{"correlation down right", correlation(errors, 1, 1), least},
+                                   Number{"correlation down left", correlation(errors, -1, 1), least}})
+            all.push_back({name + each.name, each.value, each.least, each.free});
+    }
     return all;
 }
 
