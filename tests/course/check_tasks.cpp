@@ -6,6 +6,8 @@
 #include "experiments/error_table.h"
 #include "scene/render.h"
 
+#include <array>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -36,6 +38,7 @@ struct Mistake {
     const char* words;
 };
 using Mistakes = std::vector<Mistake<double>>;
+Mistakes none(...) { return {}; }
 
 // Numbers of one array are about as large as its scale, by which rounding errors are measured.
 void value(const std::string& what, double number, double tolerance, double scale = 0, const Mistakes& mistakes = {}) {
@@ -64,26 +67,29 @@ void throws(const std::string& what, const char* hint, Function f) {
 
 std::string text(Vec3 v) { return formatted("(%.4g, %.4g, %.4g)", v.x, v.y, v.z); }
 
-void vector(const std::string& what, Vec3 v, const std::vector<Mistake<Vec3>>& mistakes = {}) {
-    const std::pair<const char*, double Vec3::*> parts[] = {{", x", &Vec3::x}, {", y", &Vec3::y}, {", z", &Vec3::z}};
-    for (const auto& [name, part] : parts) {
+void vector(const std::string& what, Vec3 v, const std::vector<Mistake<Vec3>>& mistakes = {},
+            const std::array<const char*, 3>& names = {", x", ", y", ", z"}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        double Vec3::*const part = i == 0 ? &Vec3::x : i == 1 ? &Vec3::y : &Vec3::z;
         Mistakes of_part;
         for (const Mistake<Vec3>& each : mistakes) of_part.push_back({each.gives.*part, each.words});
-        value(what + name, v.*part, 1e-9, 1, of_part);
+        value(what + names[i], v.*part, 1e-9, 1, of_part);
     }
 }
 
-void numbers(const std::string& what, const Numbers& of, double tolerance, const std::vector<Mistakes>& mistakes = {}) {
+// mistakes(i) are those of a number.
+void numbers(const std::string& what, const Numbers& of, double tolerance,
+             const std::function<Mistakes(std::size_t)>& mistakes = none) {
     double scale = 0;
     for (const double each : of) scale = std::max(scale, std::fabs(each));
     for (std::size_t i = 0; i < of.size(); ++i)
-        value(what + formatted(" %zu", i), of[i], tolerance, scale, mistakes.empty() ? Mistakes{} : mistakes[i]);
+        value(what + formatted(" %zu", i), of[i], tolerance, scale, mistakes(i));
 }
 
 // Of large ones, so that files stay small: the first and the last row, the diagonal, and a sum that every one changes.
 // mistakes(i, j) are those of an element.
-template <class Function>
-void matrix(const std::string& name, const Matrix& m, double tolerance, double on_diagonal, Function mistakes) {
+void matrix(const std::string& name, const Matrix& m, double tolerance, double on_diagonal,
+            const std::function<Mistakes(std::size_t, std::size_t)>& mistakes = none) {
     double scale = 0, sum = 0;
     count("elements of " + name, m.rows * m.columns);
     for (const double each : m.elements) scale = std::max(scale, std::fabs(each));
@@ -91,14 +97,11 @@ void matrix(const std::string& name, const Matrix& m, double tolerance, double o
         for (std::size_t j = 0; j < m.columns; ++j) {
             sum += static_cast<double>(1 + (i + 2 * j) % 7) * m(i, j);
             if (m.rows < 10 || i == 0 || i + 1 == m.rows || i == j)
-                value(name + formatted(name.back() == ',' ? " (%zu, %zu)" : "(%zu, %zu)", i, j), m(i, j),
-                      i == j ? on_diagonal : tolerance, scale, mistakes(i, j));
+                value(name + formatted("(%zu, %zu)", i, j), m(i, j), i == j ? on_diagonal : tolerance, scale,
+                      mistakes(i, j));
         }
     value("the sum of (1 + (i + 2 j) % 7) times the elements of " + name, sum, on_diagonal,
           scale * static_cast<double>(m.elements.size()));
-}
-void matrix(const std::string& name, const Matrix& m, double tolerance) {
-    matrix(name, m, tolerance, tolerance, [](std::size_t, std::size_t) { return Mistakes{}; });
 }
 
 Directions directions_of(std::size_t n) {
@@ -176,48 +179,29 @@ const Check covariance_matrix_check("covariance_matrix", [] {
     }
 });
 
-// Symmetric, with no eigenvalue below the least: if that is small, few digits of a float are left in the end; if it is
-// 1, all digits should be right.
-Matrix positive_matrix(std::size_t n, double least) {
-    Random random(seed, 1000 + n);
-    Matrix b(n, n), a(n, n);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) b(i, j) = random.uniform();
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) {
-            a(i, j) = i == j ? least : 0;
-            for (std::size_t l = 0; l < n; ++l) a(i, j) += b(i, l) * b(j, l);
-        }
-    in = formatted("a matrix with no eigenvalue below %g, n = %zu: ", least, n), samples = static_cast<double>(n);
-    return a;
-}
-
-// a^T b
-Matrix transposed_times(const Matrix& a, const Matrix& b) {
-    Matrix product(a.columns, b.columns);
-    for (std::size_t l = 0; l < std::min(a.rows, b.rows); ++l)
-        for (std::size_t i = 0; i < a.columns; ++i)
-            for (std::size_t j = 0; j < b.columns; ++j) product(i, j) += a(l, i) * b(l, j);
-    return product;
-}
-
-// Calls f(A, tolerance): a rounding, and how much A magnifies it.
+// Calls f(A, tolerance) for symmetric matrices with no eigenvalue below the least: if that is small, few digits of a
+// float are left in the end; if it is 1, all digits should be right. The tolerance is a rounding, magnified by A.
 template <class Function>
 void for_each_positive_matrix(Function f) {
     for (const std::size_t n : {3u, 1u, 9u, 41u, 100u})
-        for (const double least : {1.0, 1e-4}) f(positive_matrix(n, least), 1e-12 + 1e-12 / least);
+        for (const double least : {1.0, 1e-4}) {
+            Random random(seed, 1000 + n);
+            Matrix b(n, n), a(n, n);
+            for (double& each : b.elements) each = random.uniform();
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t j = 0; j < n; ++j) {
+                    a(i, j) = i == j ? least : 0;
+                    for (std::size_t l = 0; l < n; ++l) a(i, j) += b(i, l) * b(j, l);
+                }
+            in = formatted("a matrix with no eigenvalue below %g, n = %zu: ", least, n);
+            samples = static_cast<double>(n);
+            f(a, 1e-12 + 1e-12 / least);
+        }
 }
 
 const Check upper_factor_check("upper_factor", [] {
-    for_each_positive_matrix([](const Matrix& a, double tolerance) {
-        const Matrix u = Cholesky(a).upper;
-        double below = 0;
-        for (std::size_t i = 1; i < u.rows; ++i)
-            for (std::size_t j = 0; j < i; ++j) below = std::max(below, std::fabs(u(i, j)));
-        value("the largest absolute value below the diagonal of U", below, 0);
-        matrix("U^T U, which should be A,", transposed_times(u, u), 1e-11);
-        matrix("U", u, tolerance);
-    });
+    for_each_positive_matrix(
+        [](const Matrix& a, double tolerance) { matrix("U", Cholesky(a).upper, tolerance, tolerance); });
     in = "";
     for (const double last : {0.5, 1 + 2 * DBL_EPSILON}) {  // a pivot below 0, and one of two roundings
         Matrix a(2, 2);
@@ -228,11 +212,8 @@ const Check upper_factor_check("upper_factor", [] {
 });
 
 const Check inverse_check("inverse", [] {
-    for_each_positive_matrix([](const Matrix& a, double tolerance) {
-        const Matrix inverse = Cholesky(a).inverse();
-        matrix("A A^-1, which should be 1 or 0 there,", transposed_times(a, inverse), 1e3 * tolerance);
-        matrix("the inverse", inverse, tolerance);
-    });
+    for_each_positive_matrix(
+        [](const Matrix& a, double tolerance) { matrix("the inverse", Cholesky(a).inverse(), tolerance, tolerance); });
 });
 
 // ---- z
@@ -271,12 +252,12 @@ const Check bayesian_weights_check("bayesian_weights", [] {
         const Cholesky cholesky(a);
         const Numbers z = numbers_of(a.rows, 7), half = cholesky.forward_substitution(z),
                       weights = bayesian_weights(cholesky, z);
-        std::vector<Mistakes> mistakes(weights.size());
-        for (std::size_t i = 0; i < mistakes.size() && i < z.size() && z.size() > 1; ++i)
-            mistakes[i] = {{half[i], "that is half a solution: of L y = z and U w = y only y"},
-                           {z[i], "that is z: Q^-1 is missing"}};
         count("weights", weights.size());
-        numbers("weight", weights, tolerance, mistakes);
+        numbers("weight", weights, tolerance, [&](std::size_t i) {
+            if (z.size() == 1 || i >= z.size()) return Mistakes{};
+            return Mistakes{{half[i], "that is half a solution: of L y = z and U w = y only y"},
+                            {z[i], "that is z: Q^-1 is missing"}};
+        });
     });
 });
 
@@ -317,13 +298,13 @@ const Frame upright = [] {
 
 // The weights, and where the frame carries the directions.
 void rule_values(const QuadratureRule& rule, const Frame& frame, double tolerance, bool with_cosine = true) {
-    std::vector<Mistakes> mistakes(rule.size());
-    for (std::size_t i = 0; with_cosine && i < rule.size() && i < rule.directions.size(); ++i)
-        mistakes[i] = {{rule.weights[i] / rule.directions[i].y, "cos(theta) is missing"},
-                       {rule.weights[i] * rule.directions[i].y, "cos(theta) is there twice"}};
     count("directions", rule.directions.size());
     count("weights", rule.weights.size());
-    numbers("weight", rule.weights, tolerance, mistakes);
+    numbers("weight", rule.weights, tolerance, [&](std::size_t i) {
+        if (!with_cosine || i >= rule.directions.size()) return Mistakes{};
+        return Mistakes{{rule.weights[i] / rule.directions[i].y, "cos(theta) is missing"},
+                        {rule.weights[i] * rule.directions[i].y, "cos(theta) is there twice"}};
+    });
     for (std::size_t i = 0; i < rule.directions.size(); ++i)
         vector(formatted(&frame == &upright ? "direction %zu" : "in the world, direction %zu", i),
                frame.to_world(rule.directions[i]));
@@ -413,17 +394,13 @@ const Check reflected_radiance_check("reflected_radiance", [] {
                     still = reflected_radiance(sphere_scene, map, hit, rule, upright),
                     dark = reflected_radiance(sphere_scene, map, hit, twice, frame);
         in = formatted("in column %d of row %d of 24, normal ", x, y) + text(hit.normal) + ": ";
-        const auto channel = [&](const char* name, double Color::*part) {
-            value(name, came.*part, 1e-9, 1,
-                  {{open.*part, "there is light from directions in the shadow"},
-                   {still.*part, "the frame should carry the directions to the world"},
-                   {dark.*part, "cos(theta) is in the weights already"},
-                   {came.*part / hit.albedo.*part, "the albedo is missing"},
-                   {pi * came.*part, "1 / pi is missing"}});
-        };
-        channel("red", &Color::x);
-        channel("green", &Color::y);
-        channel("blue", &Color::z);
+        vector("", came,
+               {{open, "there is light from directions in the shadow"},
+                {still, "the frame should carry the directions to the world"},
+                {dark, "cos(theta) is in the weights already"},
+                {Color{1 / hit.albedo.x, 1 / hit.albedo.y, 1 / hit.albedo.z} * came, "the albedo is missing"},
+                {pi * came, "1 / pi is missing"}},
+               {"red", "green", "blue"});
     });
 });
 
