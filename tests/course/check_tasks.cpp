@@ -109,32 +109,6 @@ Directions directions_of(std::size_t n) {
     return random_directions(n, random);
 }
 
-// ---- The models: a line for each that is tried, without lattices, which the task rotate turns
-
-struct Model : ErrorSettings {
-    const char* words = "";
-    std::size_t n = 1;
-};
-Model model(const char* words, std::size_t n, double noise, CovarianceFamily family = CovarianceFamily::sobolev,
-            Known known = Known::nothing, Placement placement = {}, double smoothness = 1.5) {
-    Model of;
-    of.words = words, of.n = n;
-    of.noise = noise, of.covariance = family, of.known = known, of.placement = placement;
-    of.smoothness = smoothness, of.length_scale = 0.4, of.seed = seed;
-    return of;
-}
-std::vector<Model> models() {
-    constexpr CovarianceFamily sobolev = CovarianceFamily::sobolev, smooth = CovarianceFamily::squared_exponential;
-    return {model("Sobolev 1.5", 3, 0.3),
-            model("Sobolev 1.5", 1, 0.3),
-            model("squared exponential 0.4", 3, 0.3, smooth),
-            model("Sobolev 1.4", 9, 0.05, sobolev, Known::nothing, {Arrangement::random, Known::cosine}, 1.4),
-            model("squared exponential 0.4", 20, 0.05, smooth, Known::nothing, {Arrangement::stratified}),
-            model("Sobolev 1.5 with the known part cosine", 8, 0.05, sobolev, Known::cosine),
-            model("Sobolev 1.5", 41, 0.02),
-            model("Sobolev 1.5", 100, 0.01)};  // no program takes more unless it is asked to
-}
-
 // What the same Q but for rounding may change. The squared chord of a direction and itself is 0, or 2 - 2 w.w, where
 // each square of a coordinate has some six roundings of 1.1e-16 (in sin(theta), the azimuth, and their product), and
 // w.w four more: at most 2 * 14 roundings, 3.1e-15. It changes the diagonal by this part. The squared exponential
@@ -145,20 +119,40 @@ double rounding(const Covariance& k) { return std::max(1e-11, 1 - k.k(4e-15) / k
 // that is at most about 1 / noise^2.
 double tolerance_of(const Covariance& k, double noise) { return 1e-9 + rounding(k) * k.k(0) / (noise * noise); }
 
-// Calls f(model, its covariance, its directions) for each.
+// Calls f(model, its covariance, its directions) for each of the models, without lattices, which the task rotate turns.
 template <class Function>
 void for_each_model(Function f) {
-    for (const Model& each : models()) {
+    constexpr CovarianceFamily sobolev = CovarianceFamily::sobolev, smooth = CovarianceFamily::squared_exponential;
+    const struct {
+        const char* words;
+        std::size_t n;
+        double noise;
+        CovarianceFamily family = sobolev;
+        Known known = Known::nothing;
+        Placement placement = {};
+        double smoothness = 1.5;
+    } models[] = {{"Sobolev 1.5", 3, 0.3},
+                  {"Sobolev 1.5", 1, 0.3},
+                  {"squared exponential 0.4", 3, 0.3, smooth},
+                  {"Sobolev 1.4", 9, 0.05, sobolev, Known::nothing, {Arrangement::random, Known::cosine}, 1.4},
+                  {"squared exponential 0.4", 20, 0.05, smooth, Known::nothing, {Arrangement::stratified}},
+                  {"Sobolev 1.5 with the known part cosine", 8, 0.05, sobolev, Known::cosine},
+                  {"Sobolev 1.5", 41, 0.02},
+                  {"Sobolev 1.5", 100, 0.01}};  // no program takes more unless it is asked to
+    for (const auto& each : models) {
+        ErrorSettings model;
+        model.noise = each.noise, model.covariance = each.family, model.known = each.known, model.seed = seed;
+        model.placement = each.placement, model.smoothness = each.smoothness, model.length_scale = 0.4;
         in = formatted("%s, noise %g, n = %zu: ", each.words, each.noise, each.n);
         samples = static_cast<double>(each.n);
-        f(each, *each.make_covariance(), directions_of(each.n));
+        f(model, *model.make_covariance(), directions_of(each.n));
     }
 }
 
 // ---- inverse
 
 const Check covariance_matrix_check("covariance_matrix", [] {
-    for_each_model([](const Model& model, const Covariance& k, const Directions& w) {
+    for_each_model([](const ErrorSettings& model, const Covariance& k, const Directions& w) {
         const double k0 = k.k(0), square = model.noise * model.noise;
         matrix("Q", covariance_matrix(k, model.noise, w), 1e-11, rounding(k), [&](std::size_t i, std::size_t j) {
             const double chord = length(w[i] - w[j]);
@@ -219,7 +213,7 @@ const Check inverse_check("inverse", [] {
 // ---- z
 
 const Check z_of_check("z_of", [] {
-    for_each_model([](const Model&, const Covariance& k, Directions w) {
+    for_each_model([](const ErrorSettings&, const Covariance& k, Directions w) {
         w.insert(w.end(), {{0, 1 + 4e-16, 0}, {1, 0, 0}, {0, 1, 0}});
         const Numbers z = z_of(k, w);
         samples = static_cast<double>(w.size());
@@ -277,7 +271,7 @@ const Check posterior_variance_check("posterior_variance", [] {
 });
 
 const Check integral_check("integral", [] {
-    for_each_model([](const Model& model, const Covariance& k, const Directions& directions) {
+    for_each_model([](const ErrorSettings& model, const Covariance& k, const Directions& directions) {
         const GaussianProcess process(k, model.noise, directions);
         const Numbers &z = process.z, y = numbers_of(z.size(), 9);
         const double sum = std::accumulate(y.begin(), y.end(), 0.0),
@@ -335,11 +329,11 @@ template <class Function>
 void for_each_row(std::size_t mc_estimates, std::size_t bmc_estimates, Function f) {
     const std::vector<Integrand> integrands = {{"cos(theta)^2", [](Vec3 w) { return w.y * w.y; }, 2 * pi / 3},
                                                {"1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
-    for_each_model([&](Model model, const Covariance& k, const Directions&) {
+    for_each_model([&](ErrorSettings model, const Covariance& k, const Directions& w) {
         model.mc_estimates = mc_estimates, model.bmc_estimates = bmc_estimates;
         Progress progress(1);
         const std::string of = in;
-        const std::vector<ErrorRow> rows = error_rows(integrands, model.n, model, progress);
+        const std::vector<ErrorRow> rows = error_rows(integrands, w.size(), model, progress);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             in = of + "of " + integrands[i].formula + ", ";
             f(rows[i], tolerance_of(k, model.noise));
