@@ -2,10 +2,9 @@
 # make check TASK=z             of one task, or function
 # make check TASK=z_of ALL=yes  with all its numbers, as they are and right
 # make test         your own tests, which begin in tests/test_process.cpp
-# make belief       belief.ppm: what your process believes of the light at a point, from the tasks of 3.1 and montecarlo
 # make hand-in      hand-in.tar.gz: the files with tasks
 
-.PHONY: check test belief hand-in
+.PHONY: check test hand-in
 WARNINGS += -Wno-unused-parameter -Wno-unused-function -Wno-unused-variable  # of what no task uses yet
 
 # For the check your files are compiled once more, as grading compiles them. If one gives no program with the others as
@@ -42,9 +41,6 @@ test:
 	@echo '#include <doctest/doctest.h>' | $(CXX) -E -x c++ - > /dev/null 2>&1 || \
 	    { echo 'make test needs doctest: apt-get install doctest-dev, or brew install doctest' >&2; false; }
 	@$(MAKE) $(BUILD)/tests/all_tests && $(BUILD)/tests/all_tests
-
-belief: $(BIN)/workbench
-	./workbench belief > belief.ppm || (rm belief.ppm; false)
 
 hand-in:
 	tar -czf hand-in.tar.gz $(TASK_SOURCES)

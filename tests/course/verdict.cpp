@@ -25,24 +25,19 @@ std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-bool same(double a, double b) { return std::fabs(a - b) <= 1e-6 * std::fabs(b); }
+bool same(double a, double b) { return std::isfinite(b) && std::fabs(a - b) <= 1e-6 * std::fabs(b); }
 
 // A plain relation between two numbers, if there is one. With one sample n times a number is the number itself.
 std::string relation(double here, double right, double n) {
     if (!std::isfinite(here) || right == 0 || here == 0) return "";
     if (std::fabs(here - right) < 1e-5 * std::fabs(right)) return " (nearly: is something a float?)";
-    const std::pair<const char*, double> factors[] = {{"the other sign", -1},
-                                                      {"half of it", 0.5},
-                                                      {"twice it", 2},
-                                                      {"pi times it", pi},
-                                                      {"it over pi", 1 / pi},
-                                                      {"2 pi times it", 2 * pi},
-                                                      {"it over 2 pi", 0.5 / pi},
-                                                      {"n times it", n},
-                                                      {"it over n", 1 / n},
-                                                      {"n / (n - 1) times it", n / (n - 1)}};
-    for (const auto& [words, factor] : factors)
-        if (std::isfinite(factor) && same(here, factor * right)) return std::string(" (") + words + ")";
+    if (same(here, -right)) return " (the other sign)";
+    const std::pair<const char*, double> factors[] = {
+        {"2", 2}, {"pi", pi}, {"2 pi", 2 * pi}, {"n", n}, {"n / (n - 1)", n / (n - 1)}};
+    for (const auto& [words, factor] : factors) {
+        if (same(here, factor * right)) return formatted(" (%s times it)", words);
+        if (same(here, right / factor)) return formatted(" (it over %s)", words);
+    }
     if (same(here, right * right)) return " (its square)";
     return same(here, std::sqrt(std::fabs(right))) ? " (its root)" : "";
 }
