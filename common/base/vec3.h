@@ -8,16 +8,16 @@ struct Vec3 {
     double x = 0, y = 0, z = 0;
 };
 
-using Color = Vec3;  // linear RGB: radiance, or a unitless albedo
+using Colour = Vec3;  // linear RGB: radiance, or a unitless albedo
 
 inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 operator*(double s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
 inline Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-inline Color operator*(Color a, Color b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // channel by channel
+inline Colour operator*(Colour a, Colour b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // channel by channel
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline double luminance(Color c) { return dot({0.2126, 0.7152, 0.0722}, c); }  // Rec. 709
+inline double luminance(Colour c) { return dot({0.2126, 0.7152, 0.0722}, c); }  // Rec. 709
 inline double squared_distance(Vec3 a, Vec3 b) { return dot(a - b, a - b); }
 inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
 

@@ -15,7 +15,7 @@ static PictureCost picture_of_known(const EnvironmentLight& light, Method method
 double coverage(const Image& image, const Image& truth, const Image& predicted) {
     double within = 0, all = 0;
     for_each_hit(sphere_scene, {image.width, image.height}, [&](int x, int y, const Hit&) {
-        const Color error = image(x, y) - truth(x, y), most = 2 * predicted(x, y);
+        const Colour error = image(x, y) - truth(x, y), most = 2 * predicted(x, y);
         within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
         all += 3;
     });
@@ -47,7 +47,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
             const EnvironmentLight& light_of_picture = each.known == std::string("light") ? light : unknown;
             RootMeanSquare predicted;
             Statistics covered;
-            rows.push_back(picture_cost(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
+            rows.push_back(measured_picture(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
                 const Image errors = predicted_errors(image, render(map, s, better_shader(light_of_picture, s)));
                 predicted.add(root_mean_square(errors));
                 covered.add(coverage(image, truth, errors));

@@ -9,7 +9,7 @@ static void print_prediction(std::size_t samples, double rmse) {
 
 // The root mean square over each pixel's colours, from black at 0 to white at `white`.
 static Image grey_scale(Image errors, double white) {
-    for (Color& pixel : errors.pixels) {
+    for (Colour& pixel : errors.pixels) {
         const double level = white > 0 ? std::sqrt(dot(pixel, pixel) / 3) / white : 0;
         pixel = {level, level, level};
     }

@@ -12,7 +12,7 @@ namespace bmc {
 constexpr int disc = 200, subpixels = 3;  // pixels on a side of a disc; subpixels on a side of a pixel
 constexpr double error_scale = 2.5;       // in the last two discs a luminance of 0.4 is white
 constexpr double dot_radius = 0.018;      // of a sample's dot, in radii of the disc
-constexpr Color white{1, 1, 1}, grey{0.18, 0.18, 0.18};
+constexpr Colour white{1, 1, 1}, grey{0.18, 0.18, 0.18};
 
 // The light that arrives at a point of the rectangle. The sphere hides a part of its sky.
 struct View {
@@ -20,9 +20,9 @@ struct View {
     const Hit hit = *intersect(sphere_scene, Camera{500, 500}.ray(140, 470));
     const Frame frame = Frame(hit.normal);
 
-    Color light(Vec3 w) const {
+    Colour light(Vec3 w) const {
         const Vec3 direction = frame.to_world(w);
-        return is_shadowed(sphere_scene, hit, direction) ? Color{} : map.bilinear_radiance(direction);
+        return is_shadowed(sphere_scene, hit, direction) ? Colour{} : map.bilinear_radiance(direction);
     }
 };
 
@@ -31,7 +31,7 @@ struct Posterior {
     const Covariance& covariance;
     const GaussianProcess& process;
     const double amplitude;
-    std::vector<Color> coefficients;  // Q^-1 Y
+    std::vector<Colour> coefficients;  // Q^-1 Y
 
     std::vector<double> covariances(Vec3 w) const {
         std::vector<double> k;
@@ -39,9 +39,9 @@ struct Posterior {
         return k;
     }
 
-    Color mean(Vec3 w) const {  // k^T Q^-1 Y
+    Colour mean(Vec3 w) const {  // k^T Q^-1 Y
         const std::vector<double> k = covariances(w);
-        Color sum;
+        Colour sum;
         for (std::size_t j = 0; j < k.size(); ++j) sum += k[j] * coefficients[j];
         return sum;
     }
@@ -55,7 +55,7 @@ struct Posterior {
 
 // The colour at (u, v) of disc 0 to 3, of radius 1, v downwards. A disc is the hemisphere in Lambert's equal-area
 // projection: y is 1 - u^2 - v^2. Looking up with -z ahead, x is on the left.
-static Color disc_color(int number, double u, double v, const View& view, const Posterior& posterior) {
+static Colour disc_colour(int number, double u, double v, const View& view, const Posterior& posterior) {
     const double y = 1 - u * u - v * v, s = std::sqrt(1 + y);
     if (y <= 0) return grey;
     const Vec3 w{-s * v, y, -s * u};
@@ -65,7 +65,7 @@ static Color disc_color(int number, double u, double v, const View& view, const 
     for (const Vec3& direction : posterior.process.directions) {
         const double root = std::sqrt(1 + direction.y);
         const double distance = length({v + direction.x / root, u + direction.z / root, 0});
-        if (distance < 1.7 * dot_radius) return distance < dot_radius ? white : Color{};
+        if (distance < 1.7 * dot_radius) return distance < dot_radius ? white : Colour{};
     }
     return view.light(w);
 }
@@ -79,7 +79,7 @@ static Image discs(const View& view, const Posterior& posterior) {
             const double u = x % disc + (part % subpixels + 0.5) / subpixels,
                          v = y + (part / subpixels + 0.5) / subpixels;
             image(x, y) += 1.0 / (subpixels * subpixels) *
-                           disc_color(x / disc, 2 * u / disc - 1, 2 * v / disc - 1, view, posterior);
+                           disc_colour(x / disc, 2 * u / disc - 1, 2 * v / disc - 1, view, posterior);
         }
         progress.done();
     });
@@ -115,7 +115,7 @@ std::string Belief::report() const {
     const std::vector<double> values = evaluate(incident, process.directions, covariance->known());
     print_estimate(process, values, reference_integral(incident),
                    std::sqrt(reference_integral(square) / known_integral(covariance->known())));
-    Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Color>(samples)};
+    Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Colour>(samples)};
     const Matrix inverse = process.inverse_covariance();
     for (std::size_t j = 0; j < samples; ++j)
         for (std::size_t i = 0; i < samples; ++i)

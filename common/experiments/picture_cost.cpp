@@ -63,18 +63,18 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
 ImageError image_error(const Image& image, const Image& truth) {
     const Camera camera{image.width, image.height};
     double count = 0, true_sum = 0, squares = 0, products = 0, pair_squares = 0;
-    Color sum;
+    Colour sum;
     for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit&) {
-        const Color error = image(x, y) - truth(x, y);
+        const Colour error = image(x, y) - truth(x, y);
         count += 1;
         sum += error;
         true_sum += dot(truth(x, y), {1, 1, 1});
         squares += dot(error, error);
     });
-    const Color mean = 1 / count * sum;
+    const Colour mean = 1 / count * sum;
     for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit&) {
         if (x + 1 == image.width || !intersect(sphere_scene, camera.ray(x + 1, y))) return;
-        const Color here = image(x, y) - truth(x, y) - mean, next = image(x + 1, y) - truth(x + 1, y) - mean;
+        const Colour here = image(x, y) - truth(x, y) - mean, next = image(x + 1, y) - truth(x + 1, y) - mean;
         products += dot(here, next);
         pair_squares += (dot(here, here) + dot(next, next)) / 2;
     });
@@ -111,8 +111,8 @@ std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
             compared_picture(light, Method::pool, 20, {lattice, cosine})};
 }
 
-PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
-                         const std::function<void(const Image&, const RenderSettings&)>& examine) {
+PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
+                             const std::function<void(const Image&, const RenderSettings&)>& examine) {
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
     RenderSettings settings = picture.settings = row_settings(costs, picture.settings, samples);

@@ -56,8 +56,8 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
 
 // The row with this number of samples. examine sees each picture and its settings. Throws std::runtime_error if nothing
 // is lit in the truth: then there is nothing to compare.
-PictureCost picture_cost(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
-                         const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
+PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
+                             const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
 
 // A line for each picture; the first pictures are classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed);

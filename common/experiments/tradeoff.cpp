@@ -89,7 +89,7 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
     std::vector<PictureCost> rows;
     for (const PictureCost& each : compared)
         for (const std::size_t n : samples) {
-            rows.push_back(picture_cost(each, n, costs, truth));
+            rows.push_back(measured_picture(each, n, costs, truth));
             progress.done(1.0 / static_cast<double>(compared.size() * samples.size()));
         }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +

@@ -4,11 +4,11 @@
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
 
-constexpr Color zenith{0.03, 0.17, 0.56}, horizon{0.72, 0.70, 0.66}, sand{0.58, 0.31, 0.14}, rock{0.62, 0.23, 0.10};
+constexpr Colour zenith{0.03, 0.17, 0.56}, horizon{0.72, 0.70, 0.66}, sand{0.58, 0.31, 0.14}, rock{0.62, 0.23, 0.10};
 
 static double clamp01(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
 
-static Color mix(Color a, Color b, double t) { return (1 - t) * a + t * b; }
+static Colour mix(Colour a, Colour b, double t) { return (1 - t) * a + t * b; }
 
 // 0 below -width / 2, 1 above width / 2. The default is one and a half texels, so that silhouettes do not alias.
 static double edge(double distance, double width = 0.009) {
@@ -36,20 +36,20 @@ static inline double noise(double x, double y) {
 // 1 in a disc of radius 5 degrees around the sun, 0 outside.
 static inline double sun_disc(double to_sun) { return edge(to_sun - 0.9981, 0.001); }
 
-static inline Color sky(Vec3 d) {
+static inline Colour sky(Vec3 d) {
     const double to_sun = clamp01(0.5 + 0.5 * dot(d, sun)), glow = to_sun * to_sun * to_sun * to_sun;
     const double halo = 0.004 / (0.004 + (1 - to_sun));
-    const Color air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
-    const Color haze = mix(air, {1.0, 0.94, 0.84}, 0.8 * glow * std::sqrt(glow) + 0.2 * halo);
+    const Colour air = (0.8 + 0.2 * to_sun) * mix(horizon, zenith, std::sqrt(clamp01(1.1 * d.y)));
+    const Colour haze = mix(air, {1.0, 0.94, 0.84}, 0.8 * glow * std::sqrt(glow) + 0.2 * halo);
     return mix(haze, {1.0, 0.98, 0.92}, sun_disc(to_sun));
 }
 
 // Dunes on a plane one unit below the eye; haze swallows them with distance.
-static inline Color ground(Vec3 d) {
+static inline Colour ground(Vec3 d) {
     const double distance = 1 / (0.01 - d.y);
     const double x = 0.6 * distance * d.x, z = 0.6 * distance * d.z;
     const double slope = noise(x + 0.2, 1.6 * z + 0.2) - noise(x - 0.2, 1.6 * z - 0.2);
-    const Color lit = (0.80 - 0.45 * slope) * sand;
+    const Colour lit = (0.80 - 0.45 * slope) * sand;
     return mix(lit, horizon, 0.7 * clamp01(distance / (distance + 15)));
 }
 
@@ -60,11 +60,11 @@ static double skyline(Vec3 d, double scale, double height) {
     return height * (0.15 + 0.25 * n + 0.6 * edge(n - 0.62, 0.12)) - d.y;
 }
 
-static inline Color strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
+static inline Colour strata(double height) { return (0.85 + 0.3 * noise(45 * height, 0.5)) * rock; }
 
 // A fin of sandstone in the plane z = -1 around the hole |x / 0.48|^3 + |(y + 0.12) / 0.585|^3 < 1. Its surface bends
 // towards the nearer border.
-static inline Color arch(Color behind, Vec3 d) {
+static inline Colour arch(Colour behind, Vec3 d) {
     const double u = d.x / -d.z, v = d.y / -d.z;
     if (!(d.z < 0 && std::fabs(u) < 1 && v < 0.7 && v > -0.1)) return behind;
     const double x = u + 0.06 * (noise(7 * u, 7 * v) - 0.5), y = v + 0.06 * (noise(7 * u, 7 * v + 50) - 0.5);
@@ -76,31 +76,31 @@ static inline Color arch(Color behind, Vec3 d) {
     const double worn_hole = 1 - edge(hole - 0.04, 0.08), worn_roof = 1 - edge(roof - 0.05, 0.1);
     const Vec3 into_hole = (-worn_hole / (length(outward) + 1e-9)) * outward;
     const Vec3 normal = normalize(Vec3{0, 0, 0.6} + worn_roof * upward + into_hole);
-    const Color lit = (0.35 + 0.95 * clamp01(dot(normal, sun))) * strata(v + 0.1 * noise(3 * u, 3 * v));
+    const Colour lit = (0.35 + 0.95 * clamp01(dot(normal, sun))) * strata(v + 0.1 * noise(3 * u, 3 * v));
     return mix(behind, lit, edge(hole) * edge(roof) * edge(v + 0.07));
 }
 
 // Mountains up to a skyline, of rock that haze pales.
-static inline Color mountains(Color behind, Vec3 d, double scale, double height, double foot, double strata_scale,
-                              double haze) {
-    const Color paled = mix(strata(strata_scale * d.y), horizon, haze);
+static inline Colour mountains(Colour behind, Vec3 d, double scale, double height, double foot, double strata_scale,
+                               double haze) {
+    const Colour paled = mix(strata(strata_scale * d.y), horizon, haze);
     return mix(behind, paled, edge(skyline(d, scale, height)) * edge(d.y + foot));
 }
 
 // What stands before ground and sky, the far things first, except what cannot be seen at this height.
-static inline Color desert_color(Color color, Vec3 d) {
-    if (d.y > 0.5 || d.y < -0.1) return color;
-    if (d.y < 0.14) color = mountains(color, d, 3, 0.13, 0, 3, 0.62);
-    if (d.y < 0.09) color = mountains(color, d, 5, 0.08, 0.01, 2, 0.35);
-    color = arch(color, d);
-    return {clamp01(color.x), clamp01(color.y), clamp01(color.z)};
+static inline Colour desert_colour(Colour colour, Vec3 d) {
+    if (d.y > 0.5 || d.y < -0.1) return colour;
+    if (d.y < 0.14) colour = mountains(colour, d, 3, 0.13, 0, 3, 0.62);
+    if (d.y < 0.09) colour = mountains(colour, d, 5, 0.08, 0.01, 2, 0.35);
+    colour = arch(colour, d);
+    return {clamp01(colour.x), clamp01(colour.y), clamp01(colour.z)};
 }
 
 // The light from a direction whose ground and sky have this colour.
-static inline Color light_color(BuiltInLight light, Color color, Vec3 d) {
-    if (light == BuiltInLight::black_and_white) return d.x > 0 ? Color{1, 1, 1} : Color{};
+static inline Colour light_colour(BuiltInLight light, Colour colour, Vec3 d) {
+    if (light == BuiltInLight::black_and_white) return d.x > 0 ? Colour{1, 1, 1} : Colour{};
     const bool bright = light == BuiltInLight::bright_desert;
-    return (bright ? 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun)) : 1) * desert_color(color, d);
+    return (bright ? 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun)) : 1) * desert_colour(colour, d);
 }
 
 // The map of a light at the centres of texels.
@@ -115,11 +115,11 @@ EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads) {
         std::vector<Vec3> directions(width);
         for (std::size_t i = 0; i < width; ++i)
             directions[i] = {sine * azimuths[i].sine, cosine, -sine * azimuths[i].cosine};
-        std::vector<Color> colors(width);
-        for (std::size_t i = 0; i < width && above < 1; ++i) colors[i] = ground(directions[i]);
-        for (std::size_t i = 0; i < width && above > 0; ++i) colors[i] = mix(colors[i], sky(directions[i]), above);
+        std::vector<Colour> colours(width);
+        for (std::size_t i = 0; i < width && above < 1; ++i) colours[i] = ground(directions[i]);
+        for (std::size_t i = 0; i < width && above > 0; ++i) colours[i] = mix(colours[i], sky(directions[i]), above);
         for (std::size_t i = 0; i < width; ++i)
-            map.set(static_cast<int>(i), j, light_color(light, colors[i], directions[i]));
+            map.set(static_cast<int>(i), j, light_colour(light, colours[i], directions[i]));
     });
     return map;
 }

@@ -3,19 +3,19 @@
 #include <algorithm>
 
 namespace bmc {
-Color EnvironmentMap::interpolated(double u, double v) const {
+Colour EnvironmentMap::interpolated(double u, double v) const {
     const int columns = std::max(width - 1, 1), left = static_cast<int>(std::floor(u)) + columns;
     const int above = static_cast<int>(std::floor(v));
     const double s = u - std::floor(u), t = v - std::floor(v);
     const auto of_row = [&](int y) {
         const int clamped = std::clamp(y, 0, height - 1);
-        return (1 - s) * color(index(left % columns, clamped)) + s * color(index((left + 1) % columns, clamped));
+        return (1 - s) * colour(index(left % columns, clamped)) + s * colour(index((left + 1) % columns, clamped));
     };
     return (1 - t) * of_row(above) + t * of_row(above + 1);
 }
 
 // The last column and the last row have no width. They count only in a map that has no other.
-Color EnvironmentMap::bilinear_radiance(Vec3 direction) const {
+Colour EnvironmentMap::bilinear_radiance(Vec3 direction) const {
     const double v = std::min(row(direction.y) - 0.5, std::max(height - 2.0, 0.0));
     return interpolated(column(direction.x, direction.z) - 0.5, v);
 }

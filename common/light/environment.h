@@ -27,7 +27,7 @@ public:
     // Black, with 1 to max_texels texels, to be filled with linear RGB radiances, finite and >= 0; row 0 at the top.
     EnvironmentMap(int columns, int rows)
         : TexelGrid{columns, rows}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-    void set(int x, int y, Color radiance) {
+    void set(int x, int y, Colour radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
         for (const double channel : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(channel);
     }
@@ -35,7 +35,7 @@ public:
     // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the
     // shadow.
     int index(int x, int y) const { return 1 + y * width + x; }
-    Color color(int i) const {
+    Colour colour(int i) const {
         const float* rgb = &rgb_[3 * static_cast<std::size_t>(i)];
         return {rgb[0], rgb[1], rgb[2]};
     }
@@ -49,14 +49,14 @@ public:
     }
 
     // Linear RGB radiance that arrives from a direction of unit length: that of its texel.
-    Color radiance(Vec3 direction) const { return color(index(direction)); }
+    Colour radiance(Vec3 direction) const { return colour(index(direction)); }
 
     // The same interpolated between the centres of the four nearest texels: for the background, where an eye would see
     // their edges.
-    Color bilinear_radiance(Vec3 direction) const;
+    Colour bilinear_radiance(Vec3 direction) const;
 
     // Between four texels: column u >= -1, where the last column repeats the first one, and row v.
-    Color interpolated(double u, double v) const;
+    Colour interpolated(double u, double v) const;
 
 private:
     std::vector<float> rgb_;  // of texels 0, 1, ...

@@ -154,16 +154,16 @@ constexpr Vec3 rgb_of_xyz[] = {
     {2.5653128, -1.1668496, -0.3984632}, {-1.0221082, 1.9782866, 0.0438216}, {0.0747244, -0.2519396, 1.1772152}};
 
 // Without factors RGB is exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
-static Color radiance(const Rgbe& rgbe, const Header& header) {
+static Colour radiance(const Rgbe& rgbe, const Header& header) {
     const double scale = rgbe[3] == 0 ? 0 : std::ldexp(1.0, rgbe[3] - 136);
     const double* factors = header.factors;
-    Color color{rgbe[0] * scale / factors[0], rgbe[1] * scale / factors[1], rgbe[2] * scale / factors[2]};
+    Colour colour{rgbe[0] * scale / factors[0], rgbe[1] * scale / factors[1], rgbe[2] * scale / factors[2]};
     if (header.is_xyz) {
-        const auto channel = [&](Vec3 row) { return std::max(0.0, dot(row, color)) / 179; };
-        color = {channel(rgb_of_xyz[0]), channel(rgb_of_xyz[1]), channel(rgb_of_xyz[2])};
+        const auto channel = [&](Vec3 row) { return std::max(0.0, dot(row, colour)) / 179; };
+        colour = {channel(rgb_of_xyz[0]), channel(rgb_of_xyz[1]), channel(rgb_of_xyz[2])};
     }
-    if (!(std::max({color.x, color.y, color.z}) <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
-    return color;
+    if (!(std::max({colour.x, colour.y, colour.z}) <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
+    return colour;
 }
 
 // Whether the map has only values that an 8-bit picture has, whole numbers up to 256 or so many 256ths, and many of
@@ -171,7 +171,7 @@ static Color radiance(const Rgbe& rgbe, const Header& header) {
 static bool holds_codes(const EnvironmentMap& map) {
     std::set<double> values;  // up to one more than such a picture has
     for (int i = 1; i <= map.width * map.height && values.size() <= 257; ++i)
-        values.insert({map.color(i).x, map.color(i).y, map.color(i).z});
+        values.insert({map.colour(i).x, map.colour(i).y, map.colour(i).z});
     const double codes = *values.rbegin() > 1 ? 1 : 256;  // in a radiance of 1
     return values.size() > 32 && std::all_of(values.begin(), values.end(), [&](double value) {
                return codes * value <= 256 && codes * value == std::floor(codes * value);

@@ -21,7 +21,7 @@ struct TexelsOnSphere {
           columns(across * std::max(1, map.width - 1)),
           rows(down * std::max(1, map.height - 1)) {}
 
-    Color operator()(int row, int column) const { return map.color(map.index(column / across, row / down)); }
+    Colour operator()(int row, int column) const { return map.colour(map.index(column / across, row / down)); }
 
     // The solid angle of one texel of the row.
     double solid_angle(int row) const {
@@ -36,7 +36,7 @@ struct TexelsOnSphere {
 };
 
 // R + G + B, where one number stands for a radiance.
-inline double brightness(Color c) { return c.x + c.y + c.z; }
+inline double brightness(Colour c) { return c.x + c.y + c.z; }
 
 // The mean over all directions of f(L).
 template <class Function>
@@ -45,7 +45,7 @@ double mean_over_directions(const EnvironmentMap& map, Function f) {
     double sum = 0;
     for (int row = 0; row < texels.rows; ++row) {
         double of_row = 0;
-        for (int column = 0; column < texels.columns; ++column) of_row += f(map.color(map.index(column, row)));
+        for (int column = 0; column < texels.columns; ++column) of_row += f(map.colour(map.index(column, row)));
         sum += texels.solid_angle(row) * of_row;
     }
     return sum / (4 * portable::pi);
@@ -53,7 +53,7 @@ double mean_over_directions(const EnvironmentMap& map, Function f) {
 
 // The mean over all directions of (b - mean)^power, where b is brightness(L) and has this mean.
 inline double central_moment(const EnvironmentMap& map, double mean, int power) {
-    return mean_over_directions(map, [=](Color c) {
+    return mean_over_directions(map, [=](Colour c) {
         double product = 1;
         for (int i = 0; i < power; ++i) product *= brightness(c) - mean;
         return product;

@@ -50,8 +50,8 @@ Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings
 }
 
 void warn_of_exposure(const Image& image, double exposure) {
-    const auto brightest_channel = [](Color pixel) { return std::max({pixel.x, pixel.y, pixel.z}); };
-    const auto above_white = [&](Color pixel) { return brightest_channel(pixel) > 1; };
+    const auto brightest_channel = [](Colour pixel) { return std::max({pixel.x, pixel.y, pixel.z}); };
+    const auto above_white = [&](Colour pixel) { return brightest_channel(pixel) > 1; };
     if (std::none_of(image.pixels.begin(), image.pixels.end(), above_white)) return;
     std::vector<double> brightness;
     for_each_hit(sphere_scene, {image.width, image.height},

@@ -18,7 +18,7 @@ static std::string srgb_codes(const Image& image) {
             std::upper_bound(thresholds.begin(), thresholds.end(), step / 4096.0) - thresholds.begin()));
     std::string bytes;
     bytes.reserve(3 * image.pixels.size());
-    for (const Color& pixel : image.pixels)
+    for (const Colour& pixel : image.pixels)
         for (const double channel : {pixel.x, pixel.y, pixel.z}) {
             const double linear = channel > 0 ? (channel < 1 ? channel : 1) : 0;
             const unsigned char byte = first[static_cast<std::size_t>(4096 * linear)];

@@ -8,16 +8,16 @@
 
 namespace bmc {
 struct Image {
-    int width, height;          // at least 1
-    std::vector<Color> pixels;  // row after row, the top one first
+    int width, height;           // at least 1
+    std::vector<Colour> pixels;  // row after row, the top one first
 
     // A black image.
     Image(int columns, int rows)
         : width(columns), height(rows), pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 
     // The pixel in column x of row y.
-    Color& operator()(int x, int y) { return pixels[static_cast<std::size_t>(y * width + x)]; }
-    Color operator()(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
+    Colour& operator()(int x, int y) { return pixels[static_cast<std::size_t>(y * width + x)]; }
+    Colour operator()(int x, int y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
 };
 
 // The linear value in [0, 1] of a code in [0, 1]: the inverse of the sRGB transfer function (IEC 61966-2-1).

@@ -52,7 +52,7 @@ void PictureRequest::require_possible() const {
 std::string PictureRequest::file(Image image) const {
     if (!is_linear(format)) {
         const double factor = portable::pow(2, exposure);
-        for (Color& pixel : image.pixels) pixel = factor * pixel;
+        for (Colour& pixel : image.pixels) pixel = factor * pixel;
         warn_of_exposure(image, exposure);
     }
     return encode(image, format);

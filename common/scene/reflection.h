@@ -11,6 +11,6 @@
 
 namespace bmc {
 // L_o, linear RGB, by a rule with the known part cos(theta), which the frame carries to the surface.
-Color reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
-                         const QuadratureRule& rule, const Frame& frame);
+Colour reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
+                          const QuadratureRule& rule, const Frame& frame);
 }  // namespace bmc

@@ -8,7 +8,7 @@
 
 namespace bmc {
 // The colour of a point that the camera sees in column x of row y. Several threads call it at once.
-using Shader = std::function<Color(const Hit&, int x, int y)>;
+using Shader = std::function<Colour(const Hit&, int x, int y)>;
 
 // L_o, linear RGB, by these rules. The environment must outlive it.
 Shader environment_shader(const EnvironmentMap& environment, const PixelRules& rules);

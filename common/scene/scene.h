@@ -14,7 +14,7 @@ struct Ray {
 struct Sphere {
     Vec3 centre;
     double radius;
-    Color albedo;
+    Colour albedo;
 };
 
 // A horizontal rectangle at height y, two-sided.
@@ -22,7 +22,7 @@ struct Rectangle {
     double y;
     double x_min, x_max;
     double z_min, z_max;
-    Color albedo;
+    Colour albedo;
 };
 
 // A pinhole camera at the origin that looks down -z, y up, with a vertical field of view of 60 degrees.
@@ -46,7 +46,7 @@ struct Hit {
     Object object;
     Vec3 point;
     Vec3 normal;  // unit length, on the side that the ray came from
-    Color albedo;
+    Colour albedo;
 };
 
 // The first object that the ray meets.

@@ -370,16 +370,16 @@ const Check reflected_radiance_check("reflected_radiance", [] {
         for (const Vec3& w : rule.directions) rule.weights.push_back((1 + w.x) * random.uniform() - 0.2);
         QuadratureRule twice = rule;
         for (std::size_t i = 0; i < rule.size(); ++i) twice.weights[i] *= rule.directions[i].y;
-        const Color came = reflected_radiance(sphere_scene, map, hit, rule, frame),
-                    open = reflected_radiance(sphere_scene, map, alone, rule, frame),
-                    still = reflected_radiance(sphere_scene, map, hit, rule, upright),
-                    dark = reflected_radiance(sphere_scene, map, hit, twice, frame);
+        const Colour came = reflected_radiance(sphere_scene, map, hit, rule, frame),
+                     open = reflected_radiance(sphere_scene, map, alone, rule, frame),
+                     still = reflected_radiance(sphere_scene, map, hit, rule, upright),
+                     dark = reflected_radiance(sphere_scene, map, hit, twice, frame);
         in = formatted("in column %d of row %d of 24, normal ", x, y) + text(hit.normal) + ": ";
         vector("", came,
                {{open, "there is light from directions in the shadow"},
                 {still, "the frame should carry the directions to the world"},
                 {dark, "cos(theta) is in the weights already"},
-                {Color{1 / hit.albedo.x, 1 / hit.albedo.y, 1 / hit.albedo.z} * came, "the albedo is missing"},
+                {Colour{1 / hit.albedo.x, 1 / hit.albedo.y, 1 / hit.albedo.z} * came, "the albedo is missing"},
                 {pi * came, "1 / pi is missing"}},
                {"red", "green", "blue"});
     });

@@ -31,16 +31,16 @@ struct Number {
 
 // The step of the codes of a .hdr picture, which shares one exponent between three bytes: 2^-8 of the power of 2 above
 // the largest channel. Programs truncate or round to it; another picture has no step.
-double step_of(bool hdr, Color color) {
+double step_of(bool hdr, Colour colour) {
     int exponent = 0;
-    std::frexp(std::max({color.x, color.y, color.z}), &exponent);
+    std::frexp(std::max({colour.x, colour.y, colour.z}), &exponent);
     return hdr ? std::ldexp(1, exponent - 8) : 0;
 }
 
 // The linear light of an image that has been written to a file and read.
 Image stored(Image image, const PictureRequest& request) {
     const double factor = request.format == Format::ppm ? portable::pow(2, request.exposure) : 1;
-    for (Color& pixel : image.pixels) pixel = factor * pixel;
+    for (Colour& pixel : image.pixels) pixel = factor * pixel;
     return linear_light(parse_picture(encode(image, request.format)));
 }
 
@@ -50,7 +50,7 @@ Image rendered(const EnvironmentMap& light, const PictureRequest& request) {
 }
 
 // Whether two colours differ by at most two codes of a PPM, or a step.
-bool looks_like(Color here, Color right, double step) {
+bool looks_like(Colour here, Colour right, double step) {
     const auto near = [step](double a, double b) { return std::fabs(a - b) <= 0.002 + 0.02 * b + step; };
     return near(here.x, right.x) && near(here.y, right.y) && near(here.z, right.z);
 }
@@ -97,7 +97,7 @@ double correlation(const Errors& errors, int columns, int rows) {
 std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& truth, bool one_rule) {
     struct Pixel {
         int x, y;
-        Color error, right;
+        Colour error, right;
     };
     std::map<Object, std::vector<Pixel>> objects;
     for_each_hit(sphere_scene, {truth.width, truth.height}, [&](int x, int y, const Hit& hit) {
@@ -112,7 +112,7 @@ std::vector<Number> numbers_of(const Image& picture, bool hdr, const Image& trut
                                  : number == 1 ? "rectangle, "
                                                : formatted("object %d, ", number);
         Statistics size;  // of errors; their squares would depend on a few pixels under a bright sun
-        Color sum, light;
+        Colour sum, light;
         double steps = 0;
         for (const Pixel& each : pixels) {
             sum += each.error;

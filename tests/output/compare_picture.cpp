@@ -7,14 +7,14 @@
 namespace {
 
 constexpr const char* colours[] = {"red", "green", "blue"};
-constexpr double bmc::Color::*channels[] = {&bmc::Color::x, &bmc::Color::y, &bmc::Color::z};
+constexpr double bmc::Colour::*channels[] = {&bmc::Colour::x, &bmc::Colour::y, &bmc::Colour::z};
 
 // The pixels that differ.
 std::vector<std::size_t> differences(const Picture& reference, const Picture& actual, double tolerance) {
     if (!bmc::is_linear(reference.format)) tolerance = 0;
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < reference.values.pixels.size(); ++i) {
-        const bmc::Color a = reference.values.pixels[i], b = actual.values.pixels[i];
+        const bmc::Colour a = reference.values.pixels[i], b = actual.values.pixels[i];
         if (!agree(a.x, b.x, tolerance) || !agree(a.y, b.y, tolerance) || !agree(a.z, b.z, tolerance))
             found.push_back(i);
     }
@@ -23,7 +23,7 @@ std::vector<std::size_t> differences(const Picture& reference, const Picture& ac
 
 std::string describe_first(const bmc::Image& reference, const bmc::Image& actual,
                            const std::vector<std::size_t>& pixels) {
-    const bmc::Color expected = reference.pixels[pixels[0]], here = actual.pixels[pixels[0]];
+    const bmc::Colour expected = reference.pixels[pixels[0]], here = actual.pixels[pixels[0]];
     std::size_t k = 0;
     while (expected.*channels[k] == here.*channels[k]) ++k;
     double largest = 0;  // passes over a nan
@@ -39,10 +39,10 @@ std::string describe_first(const bmc::Image& reference, const bmc::Image& actual
 // Of the pixels that differ: how large the errors of the linear light are, and their mean over that of the reference.
 std::string describe_errors(const bmc::Image& reference, const bmc::Image& actual,
                             const std::vector<std::size_t>& pixels) {
-    const bmc::Color one{1, 1, 1};
+    const bmc::Colour one{1, 1, 1};
     double squares = 0, sum = 0, expected = 0;
     for (const std::size_t pixel : pixels) {
-        const bmc::Color error = actual.pixels[pixel] - reference.pixels[pixel];
+        const bmc::Colour error = actual.pixels[pixel] - reference.pixels[pixel];
         squares += dot(error, error);
         sum += dot(error, one);
         expected += dot(reference.pixels[pixel], one);

@@ -43,7 +43,7 @@ Picture radiance_picture(const std::string& bytes) {
     const bmc::EnvironmentMap map = bmc::read_radiance_hdr(in, notes);
     Picture picture{bmc::Format::pfm, bmc::formatted(".hdr %d %d", map.width, map.height), {map.width, map.height}};
     for (std::size_t i = 0; i < picture.values.pixels.size(); ++i)
-        picture.values.pixels[i] = map.color(1 + static_cast<int>(i));
+        picture.values.pixels[i] = map.colour(1 + static_cast<int>(i));
     return picture;
 }
 
@@ -76,7 +76,7 @@ Picture parse_picture(const std::string& bytes) {
     std::size_t at = begin;
     for (int row = 0; row < height; ++row)
         for (int x = 0; x < width; ++x) {
-            bmc::Color& pixel = picture.values(x, floats ? height - 1 - row : row);
+            bmc::Colour& pixel = picture.values(x, floats ? height - 1 - row : row);
             for (double* channel : {&pixel.x, &pixel.y, &pixel.z}) {
                 if (floats)
                     *channel = std::fabs(top) * float_at(bytes, at, top < 0);
@@ -93,7 +93,7 @@ Picture parse_picture(const std::string& bytes) {
 bmc::Image linear_light(const Picture& picture) {
     bmc::Image light = picture.values;
     if (bmc::is_linear(picture.format)) return light;
-    for (bmc::Color& c : light.pixels)
+    for (bmc::Colour& c : light.pixels)
         c = {bmc::srgb_to_linear(c.x / 255), bmc::srgb_to_linear(c.y / 255), bmc::srgb_to_linear(c.z / 255)};
     return light;
 }

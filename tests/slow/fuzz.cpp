@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const std::string text(bytes, bytes + size);
     check<std::runtime_error>(text, [](std::istream& in) {
         std::vector<std::string> notes;
-        const Color corner = read_radiance_hdr(in, notes).radiance({0, -1, 0});
+        const Colour corner = read_radiance_hdr(in, notes).radiance({0, -1, 0});
         return corner.x >= 0 && corner.y >= 0 && corner.z >= 0;
     });
     check<std::runtime_error>(text, [](std::istream& in) {

@@ -129,10 +129,10 @@ EnvironmentMap map_of(int width, int height, Texel texel) {
     return map;
 }
 inline EnvironmentMap even_map(int width, int height, double radiance) {
-    return map_of(width, height, [&](int, int) { return radiance * Color{1, 1, 1}; });
+    return map_of(width, height, [&](int, int) { return radiance * Colour{1, 1, 1}; });
 }
 inline EnvironmentMap coloured_map(int width, int height) {  // each texel has another colour
-    return map_of(width, height, [](int x, int y) { return Color{x + 0.5, y + 0.25, (7 * x + 5 * y) % 11 + 0.125}; });
+    return map_of(width, height, [](int x, int y) { return Colour{x + 0.5, y + 0.25, (7 * x + 5 * y) % 11 + 0.125}; });
 }
 inline EnvironmentMap sunny_map() {  // dim, with a sun of 6 x 6 degrees
     EnvironmentMap map = even_map(64, 32, 0.5);

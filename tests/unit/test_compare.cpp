@@ -97,5 +97,5 @@ TEST_CASE("P3 is a PPM in text; a PFM's scale multiplies; an .hdr is linear ligh
     CHECK(parse_picture(pfm(1, 1, {2, 1, 0.5}, "-2")).values(0, 0) == Vec3{4, 2, 1});
     CHECK(parse_picture(pfm(1, 1, {2, 1, 0.5}, "0.5")).values(0, 0) == Vec3{1, 0.5, 0.25});
     const Picture light = parse_picture("#?RADIANCE\n\n-Y 1 +X 2\n" + std::string("\1\2\3\210\4\5\6\210"));
-    CHECK(linear_light(light).pixels == std::vector<Color>{{1, 2, 3}, {4, 5, 6}});
+    CHECK(linear_light(light).pixels == std::vector<Colour>{{1, 2, 3}, {4, 5, 6}});
 }

@@ -26,7 +26,7 @@ TEST_CASE("a direction that rounding has lengthened has a texel in maps of any s
 }
 
 TEST_CASE("radiance is interpolated between the centres of texels, around the azimuth, too") {
-    const EnvironmentMap map = map_of(9, 5, [](int x, int y) { return (9 * y + x) * Color{1, 1, 1}; });
+    const EnvironmentMap map = map_of(9, 5, [](int x, int y) { return (9 * y + x) * Colour{1, 1, 1}; });
     // 8 columns and 4 rows have a width. The lookup's angles err by 2.3e-8, which moves a texel of 1/8 turn by 3e-8 and
     // its number, at most 9 a row, by 3e-7.
     const double places[][3] = {{2.5, 1.5, 9 + 2}, {2.75, 1.5, 9 + 2.25}, {2.5, 1.75, 9 + 2 + 2.25},

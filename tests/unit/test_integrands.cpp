@@ -14,7 +14,7 @@ TEST_CASE("the practice's integrands are its four functions, with their integral
 }
 
 TEST_CASE("the integrand of a light is luminance above a tilted surface, times cos(theta)") {
-    const auto even = std::make_shared<const EnvironmentMap>(map_of(2, 2, [](int, int) { return Color{1, 2, 4}; }));
+    const auto even = std::make_shared<const EnvironmentMap>(map_of(2, 2, [](int, int) { return Colour{1, 2, 4}; }));
     const auto map = std::make_shared<const EnvironmentMap>(coloured_map(16, 9));
     const double luminance_of_light = 0.2126 + 2 * 0.7152 + 4 * 0.0722;
     CHECK(relative(environment_integrand(even).value({0.6, 0.8, 0}), 0.8 * luminance_of_light) < 1e-15);

@@ -13,7 +13,7 @@ TEST_CASE("the table has Monte Carlo's samples for the same error, and the effic
 
 TEST_CASE("a light that reaches nothing has no errors to compare") {
     const EnvironmentMap map = coloured_map(16, 9);
-    CHECK_THROWS_AS(picture_cost(compared_pictures(map)[0], 3, {}, Image(6, 6)), std::runtime_error);
+    CHECK_THROWS_AS(measured_picture(compared_pictures(map)[0], 3, {}, Image(6, 6)), std::runtime_error);
 }
 
 // These differences are exact in binary.
@@ -21,7 +21,7 @@ TEST_CASE("an image's error is its root mean square, its correlation and its bri
     const auto error_of = [](double even, double odd, double step) {
         Image image(41, 40), truth(41, 40);  // the end of a row and the beginning of the next err in the same way
         for (int i = 0; i < 1640; ++i) {
-            image(i % 41, i / 41) = ((i % 41 % 2 ? odd : even) + (i % 41 < 20 ? 0 : step)) * Color{1, 1, 1};
+            image(i % 41, i / 41) = ((i % 41 % 2 ? odd : even) + (i % 41 < 20 ? 0 : step)) * Colour{1, 1, 1};
             truth(i % 41, i / 41) = {0.5, 0.5, 0.5};
         }
         return image_error(image, truth);

@@ -7,7 +7,7 @@ using namespace bmc::beyond;
 static const Vec3 slope{0.48, -0.64, 0.6};
 static EnvironmentMap linear_map(int columns, int rows) {
     return map_of(columns + 1, rows + 1, [=](int x, int y) {
-        return Color{1 + dot(towards((x + 0.5) / columns, (y + 0.5) / rows), slope), 1, 0};
+        return Colour{1 + dot(towards((x + 0.5) / columns, (y + 0.5) / rows), slope), 1, 0};
     });
 }
 

@@ -11,7 +11,7 @@ static EnvironmentMap read_hdr(const std::string& content) {
 static std::vector<double> channels(const EnvironmentMap& map) {
     std::vector<double> all;
     for (int i = 1; i <= map.width * map.height; ++i)
-        for (const double channel : {map.color(i).x, map.color(i).y, map.color(i).z}) all.push_back(channel);
+        for (const double channel : {map.colour(i).x, map.colour(i).y, map.colour(i).z}) all.push_back(channel);
     return all;
 }
 

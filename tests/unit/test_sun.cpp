@@ -16,14 +16,14 @@ TEST_CASE("the sun is the texels of more than a hundred times the mean radiance"
         CHECK(sun.empty() == !shines);
         CHECK(std::fabs(sun.light() - shines * 4 * pi * part * 3 * radiance) < 1e-5);  // floats
         CHECK(std::fabs(sun.share() - shines * part * radiance / (1 - part + part * radiance)) < 1e-6);
-        CHECK(sun.sky()->color(place).x == (shines ? 0 : map.color(place).x));
-        CHECK(sun.sky()->color(place + 1).x == 1);
+        CHECK(sun.sky()->colour(place).x == (shines ? 0 : map.colour(place).x));
+        CHECK(sun.sky()->colour(place + 1).x == 1);
     }
 }
 
 // A texel at the pole, 22.5 degrees high and wide: the azimuth goes with u, y with v.
 TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angle") {
-    const EnvironmentMap map = map_of(17, 9, [](int x, int y) { return (y == 0 && x == 12) * Color{3, 2, 1}; });
+    const EnvironmentMap map = map_of(17, 9, [](int x, int y) { return (y == 0 && x == 12) * Colour{3, 2, 1}; });
     const Sun sun(map);
     for (const double u : {0.0, 0.1, 0.5, 0.99})
         for (const double v : {0.01, 0.5, 0.99}) {
@@ -42,7 +42,7 @@ TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angl
 TEST_CASE("the fraction u of the light is passed texel by texel, in Morton's order") {
     for (const int far : {0, 4096}) {
         const EnvironmentMap map = map_of(8193, 9, [&](int x, int y) {
-            return (x >= far && x < far + 4 && (y == 2 || y == 3)) * Color{1, 1, 1};
+            return (x >= far && x < far + 4 && (y == 2 || y == 3)) * Colour{1, 1, 1};
         });
         std::vector<int> passed;  // 10 row + column
         for (double u = 0.003; u < 1; u += 0.01) {

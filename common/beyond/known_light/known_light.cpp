@@ -9,7 +9,7 @@ SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
 }
 
 // The fraction of each colour of the sky's light that passes the other object.
-static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule, const Frame& frame) {
+static Colour visible_sky(const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule, const Frame& frame) {
     std::vector<int> all(rule.size()), visible(rule.size());  // texels; the black one in the shadow
     for (std::size_t i = 0; i < rule.size(); ++i) {
         const Vec3 direction = frame.to_world(rule.directions[i]);
@@ -19,8 +19,8 @@ static Color visible_sky(const EnvironmentMap& means, const Hit& hit, const Quad
     if (all == visible) return {1, 1, 1};
     RatioEstimator sky;
     for (std::size_t i = 0; i < rule.size(); ++i) {
-        sky.all += rule.weights[i] * means.color(all[i]);
-        sky.visible += rule.weights[i] * means.color(visible[i]);
+        sky.all += rule.weights[i] * means.colour(all[i]);
+        sky.visible += rule.weights[i] * means.colour(visible[i]);
     }
     return sky.fraction();
 }
@@ -35,8 +35,8 @@ Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
     return [=, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        const Color sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
-        const Color sun = sample_sun(sphere_scene, light.sun, hit, samples.sun, random).fraction();
+        const Colour sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
+        const Colour sun = sample_sun(sphere_scene, light.sun, hit, samples.sun, random).fraction();
         return 1 / portable::pi *
                (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun.irradiance(hit.normal) * sun));
     };

@@ -38,7 +38,7 @@ static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
         const portable::SineCosine polar = texels.polar(row + 0.5);
         const double solid_angle = texels.solid_angle(row);
         for (int column = 0; column < texels.columns; ++column) {
-            const Color light = solid_angle * texels(row, column);
+            const Colour light = solid_angle * texels(row, column);
             const Vec3 direction = direction_of(polar, azimuths[static_cast<std::size_t>(column)]);
             Vec3* flux = &fluxes[3 * (part_with(row, texels.rows, light_rows) * light_columns +
                                       part_with(column, texels.columns, light_columns))];
@@ -78,14 +78,14 @@ static EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::s
 // Beyond 1e36 integrals would exceed the largest float.
 static const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
     for (int i = 1; i <= map.width * map.height; ++i)
-        if (dot(map.color(i), {1, 1, 1}) > 1e36)
+        if (dot(map.colour(i), {1, 1, 1}) > 1e36)
             throw std::runtime_error("this light is too bright to be known: a radiance exceeds 1e36");
     return map;
 }
 
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
 // lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
-static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Color everywhere, std::size_t threads) {
+static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Colour everywhere, std::size_t threads) {
     const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
     const std::vector<Vec3> local = cap_directions(solid_angle);
     EnvironmentMap means(columns + 1, rows + 1);
@@ -96,8 +96,8 @@ static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, C
             const Frame frame(direction_of(polar, azimuth));
             int texels[lookups];
             for (std::size_t i = 0; i < lookups; ++i) texels[i] = finer.index(frame.to_world(local[i]));
-            Color sum;
-            for (const int texel : texels) sum += finer.color(texel);
+            Colour sum;
+            for (const int texel : texels) sum += finer.colour(texel);
             means.set(x, y, 1.0 / lookups * sum + everywhere);
         }
     });
@@ -108,7 +108,7 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::s
     : sun(not_too_bright(map)), tables_{{0, sun.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
     const TexelsOnSphere texels(*tables_[0].means, 256, 128);
     tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
-    Color everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
+    Colour everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
     double solid_angle = pi;
     while (std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows) solid_angle /= 4;
     for (; solid_angle <= pi; solid_angle *= 4, everywhere = {}) {  // larger caps have it from the smaller ones

@@ -21,7 +21,7 @@ struct PrefilteredEnvironment {
     //     E(n) = integral of L cos(theta) d omega over the hemisphere around n.
     // It is from a table; its error is below 2e-3 of the largest E. (Nine harmonics would err by a few per cent:
     // Ramamoorthi & Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001.)
-    Color sky_irradiance(Vec3 normal) const {
+    Colour sky_irradiance(Vec3 normal) const {
         return irradiance_.interpolated(irradiance_.column(normal.x, normal.z), irradiance_.row(normal.y));
     }
 

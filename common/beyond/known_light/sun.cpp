@@ -15,7 +15,7 @@ Sun::Sun(const EnvironmentMap& map, double threshold)
     const double least = threshold * all_ / (4 * portable::pi);
     for (int row = 0; row < whole_.rows; ++row)
         for (int column = 0; column < whole_.columns; ++column) {
-            const Color light = whole_(row, column);
+            const Colour light = whole_(row, column);
             if (!(brightness(light) > least)) continue;
             texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
                                whole_.solid_angle(row) * brightness(light)});
@@ -41,8 +41,8 @@ Sun::Ray Sun::ray(double across, double down) const {
     return {direction_of({sine, cosine}, whole_.azimuth(texel->column + right)), texel->colour};
 }
 
-Color Sun::irradiance(Vec3 normal) const {
-    Color sum;
+Colour Sun::irradiance(Vec3 normal) const {
+    Colour sum;
     for (const Ray& each : rays_) sum += std::max(0.0, dot(normal, each.direction)) * each.colour;
     return sum;
 }
@@ -54,7 +54,7 @@ std::shared_ptr<const EnvironmentMap> Sun::sky() const {
     return sky;
 }
 
-Color RatioEstimator::fraction() const {
+Colour RatioEstimator::fraction() const {
     const auto of = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 1; };
     return {of(visible.x, all.x), of(visible.y, all.y), of(visible.z, all.z)};
 }

@@ -12,9 +12,9 @@
 namespace bmc::beyond {
 // Sums over rays: of all light, and of what arrives.
 struct RatioEstimator {
-    Color all, visible;
+    Colour all, visible;
 
-    Color fraction() const;  // in [0, 1]; 1 for a colour that no ray carries
+    Colour fraction() const;  // in [0, 1]; 1 for a colour that no ray carries
 };
 
 class Sun {
@@ -29,7 +29,7 @@ public:
     double share() const { return empty() ? 0 : light() / all_; }
 
     // The irradiance of a unit normal if nothing is in the way, by 256 rays.
-    Color irradiance(Vec3 normal) const;
+    Colour irradiance(Vec3 normal) const;
 
     // The map without the sun: where there is none, the map itself, which must then outlive it.
     std::shared_ptr<const EnvironmentMap> sky() const;
@@ -37,7 +37,7 @@ public:
     // colour: the radiance there, scaled to R + G + B = 1.
     struct Ray {
         Vec3 direction;
-        Color colour;
+        Colour colour;
     };
 
     // The ray that two numbers in [0, 1) choose, in proportion to the light if they are uniform, by the inverse of its
@@ -49,7 +49,7 @@ private:
     struct Texel {
         std::uint64_t order;  // Morton's
         int row, column;
-        Color colour;
+        Colour colour;
         double light;  // of this texel and those before it
     };
 

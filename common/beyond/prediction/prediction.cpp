@@ -10,9 +10,9 @@ Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::
     return [=, sky = sun->sky(), rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        const Color of_sky = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
+        const Colour of_sky = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
         if (sun->empty()) return of_sky;
-        const Color of_sun = sample_sun(sphere_scene, *sun, hit, rays, random).visible;
+        const Colour of_sun = sample_sun(sphere_scene, *sun, hit, rays, random).visible;
         return of_sky + sun->light() / (portable::pi * static_cast<double>(rays)) * (hit.albedo * of_sun);
     };
 }
@@ -30,11 +30,11 @@ Shader better_shader(const EnvironmentLight& light, RenderSettings settings) {
 using Objects = std::vector<std::optional<Object>>;  // that the pixels show
 
 // The mean over the pixels of a window around column x of row y that show the same object.
-static Color mean_in_window(const Image& image, const Objects& objects, int x, int y) {
+static Colour mean_in_window(const Image& image, const Objects& objects, int x, int y) {
     const int reach = std::clamp(image.height / 70, 3, 7);
     const auto object = [&](int i, int j) { return objects[static_cast<std::size_t>(j * image.width + i)]; };
     double count = 0;
-    Color sum;
+    Colour sum;
     for (int j = std::max(0, y - reach); j <= std::min(image.height - 1, y + reach); ++j)
         for (int i = std::max(0, x - reach); i <= std::min(image.width - 1, x + reach); ++i) {
             if (object(i, j) != object(x, y)) continue;
@@ -49,12 +49,12 @@ Image predicted_errors(const Image& picture, const Image& better) {
     Objects objects(picture.pixels.size());
     const Camera camera{picture.width, picture.height};
     for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit& hit) {
-        const Color difference = picture(x, y) - better(x, y);
+        const Colour difference = picture(x, y) - better(x, y);
         squares(x, y) = difference * difference;
         objects[static_cast<std::size_t>(y * picture.width + x)] = hit.object;
     });
     for_each_hit(sphere_scene, camera, [&](int x, int y, const Hit&) {
-        const Color mean = mean_in_window(squares, objects, x, y);
+        const Colour mean = mean_in_window(squares, objects, x, y);
         errors(x, y) = {std::sqrt(mean.x), std::sqrt(mean.y), std::sqrt(mean.z)};
     });
     return errors;
