@@ -3,7 +3,8 @@
 # make clean        removes what make made
 # make help         these lines
 
-# Under make -s nothing is printed; on all processors that it may use, unless a number of jobs is given or another make gives them.
+# Under make -s nothing is printed; on all processors that it may use, unless a number of jobs is given or another make
+# gives them.
 SILENT := $(findstring s,$(firstword -$(MAKEFLAGS)))
 ifeq ($(MAKELEVEL)$(filter -j% --jobserver%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
