@@ -82,6 +82,20 @@ struct TemporaryFile {
     ~TemporaryFile() { std::filesystem::remove(name); }
 };
 
+// Whether an error of reading is what read(in) ends with, wherever in these bytes, or behind them, it is.
+template <class Read>
+void check_failing_reads(const std::string& bytes, Read read) {
+    struct FailingBuffer : std::stringbuf {
+        using std::stringbuf::stringbuf;
+        int_type underflow() override { throw std::ios::failure("an error of reading"); }
+    };
+    for (std::size_t n = 0; n <= bytes.size(); ++n) {
+        FailingBuffer buffer(bytes.substr(0, n));
+        std::istream in(&buffer);
+        CHECK_MESSAGE(message_of([&] { read(in); }) == Containing{"an error of reading"}, n);
+    }
+}
+
 // Lets the options take what stands in these arguments of a program, and returns what they leave.
 inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
     words.insert(words.begin(), "program");

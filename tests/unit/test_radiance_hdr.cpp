@@ -176,14 +176,5 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
 }
 
 TEST_CASE("an error of reading is not the end of a map, wherever it is") {
-    struct FailingBuffer : std::stringbuf {
-        using std::stringbuf::stringbuf;
-        int_type underflow() override { throw std::ios::failure("an error of reading"); }
-    };
-    const std::string bytes = hdr("-Y 1 +X 8", coded);
-    for (std::size_t n = 0; n <= bytes.size(); ++n) {
-        FailingBuffer buffer(bytes.substr(0, n));
-        std::istream in(&buffer);
-        CHECK_MESSAGE(message_of([&] { read_radiance_hdr(in, notes); }) == Containing{"an error of reading"}, n);
-    }
+    check_failing_reads(hdr("-Y 1 +X 8", coded), [](std::istream& in) { read_radiance_hdr(in, notes); });
 }
