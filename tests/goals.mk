@@ -1,7 +1,6 @@
 # Goals beside the programs; tests/README.md says which to make when.
 # make test         every unit test, and the programs' output against tests/output/references
 # make unit         the unit tests alone, below two seconds once they are compiled
-# make judge        build/judge, which judges pictures by programs with other random numbers
 # make references   rewrites these, or with ONLY='pool*' some: only when the output is meant to change
 # make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
@@ -17,7 +16,7 @@
 # With UNIT_AS_ONE=yes the unit tests are one source: a third of the time where they only run.
 TESTS = $(if $(UNIT_AS_ONE),$(BUILD)/unit_sources.o,$(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp)))
 COMPARE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/compare.cpp,$(wildcard tests/output/*.cpp)))
-.PHONY: doctest test unit judge references handout grade mutations portability sanitizers threads fuzz figures seconds
+.PHONY: doctest test unit references handout grade mutations portability sanitizers threads fuzz figures seconds
 .PHONY: format-check
 
 # Unit tests take longer to compile than to run, and their header longest: it is read once, but for main.cpp, which sets
@@ -38,13 +37,10 @@ doctest:
 $(BUILD)/unit_tests: $(TESTS) $(COMPARE) $(COMMON) tests/unit
 	$(call say,LINK $@) $(LINK) -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/output/compare.o
-$(BUILD)/judge: $(BUILD)/tests/course/judge.o
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(COMPARE) $(COMMON)
 $(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o $(COMMON)
 $(BUILD)/verdict: $(BUILD)/tests/course/verdict.o
-$(BUILD)/check_tasks $(BUILD)/verdict:
-	$(call say,LINK $@) $(LINK) -o $@
-$(BUILD)/compare $(BUILD)/judge: $(COMPARE) $(COMMON)
+$(BUILD)/compare $(BUILD)/check_tasks $(BUILD)/verdict:
 	$(call say,LINK $@) $(LINK) -o $@
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare
@@ -52,8 +48,6 @@ test: all $(BUILD)/unit_tests $(BUILD)/compare
 
 unit: $(BUILD)/unit_tests
 	BUILD=$(BUILD) tests/output/run unit_tests
-
-judge: $(BUILD)/judge
 
 references: all
 	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite
