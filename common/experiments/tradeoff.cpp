@@ -1,6 +1,6 @@
 #include "experiments/tradeoff.h"
 
-#include "light/texels_on_sphere.h"
+#include "light/averages.h"
 
 #include <numeric>
 

@@ -2,7 +2,7 @@
 
 #include "base/formatted.h"
 #include "base/statistics.h"
-#include "light/texels_on_sphere.h"
+#include "light/averages.h"
 
 namespace bmc {
 std::string two_digits(double number) {
