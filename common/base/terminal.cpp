@@ -1,30 +1,18 @@
 #include "base/terminal.h"
 
-#include "base/formatted.h"
-
 #include <unistd.h>
-#ifndef _WIN32
-#include <sys/ioctl.h>
-#endif
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
 
 namespace bmc {
 using Clock = std::chrono::steady_clock;
 
-static Clock::time_point start;  // of the outermost calculation
-static bool running = false;
-static std::string shown;  // the end of what the terminal has
-
-static std::size_t columns_of_terminal() {
-#ifdef TIOCGWINSZ
-    winsize size{};
-    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
-#endif
-    return 80;
-}
+static const Clock::time_point start = Clock::now();
+static Progress* innermost = nullptr;
+static int shown = 0;  // per cent, the most so far
 
 // A line can be written again, unless stderr is a file, or a terminal that cannot go back (TERM=dumb: an editor's).
 static bool can_go_back() {
@@ -32,31 +20,32 @@ static bool can_go_back() {
     return isatty(STDERR_FILENO) && !(kind && std::string_view(kind) == "dumb");
 }
 
-static void show(const std::string& text) {
-    if (text == shown) return;
-    std::fprintf(stderr, "\r%*s\r%s", static_cast<int>(shown.size()), "", text.c_str());
-    shown = text;
+static void clear_line() {
+    if (shown > 0) std::fputs("\r     \r", stderr);
 }
 
-Progress::Progress(double parts) : parts_(parts), outermost_(!running) {
-    if (outermost_) start = Clock::now();
-    running = true;
-}
+Progress::Progress(std::size_t parts) : outer_(innermost), parts_(parts) { innermost = this; }
 
 Progress::~Progress() {
-    if (!outermost_) return;
-    show("");
-    running = false;
+    innermost = outer_;
+    if (!outer_) clear_line();
 }
 
-void Progress::done(double parts) {
+void Progress::done() {
     static std::mutex mutex;
     const std::lock_guard<std::mutex> lock(mutex);
-    const double fraction = (done_ += parts) / parts_;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    if (!outermost_ || seconds < 1 || !can_go_back()) return;
-    const double left = fraction < 1 ? seconds / fraction - seconds : 0;
-    show(formatted("%.0f %%, %.0f s left", 100 * fraction, left).substr(0, columns_of_terminal() - 1));
+    if (Clock::now() - start < std::chrono::seconds(1)) {
+        --parts_;
+        return;
+    }
+    ++done_;
+    double fraction = 0;
+    for (const Progress* each = innermost; each; each = each->outer_)
+        fraction = (static_cast<double>(each->done_) + fraction) / static_cast<double>(each->parts_);
+    const int percent = static_cast<int>(100 * fraction);
+    if (percent <= shown || !can_go_back()) return;
+    shown = percent;
+    std::fprintf(stderr, "\r%d %%", shown);
 }
 
 // Nothing here allocates: the problem may be a lack of memory.
@@ -73,7 +62,7 @@ void print_note(std::string_view text) {
         const bool of_utf8 = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
         line[count++] = byte < ' ' || byte == 0x7f || of_utf8 ? '?' : text[i];
     }
-    show("");
+    clear_line();
     std::fprintf(stderr, "%s: %.*s\n", program_name, static_cast<int>(count), line);
 }
 }  // namespace bmc

@@ -1,6 +1,7 @@
 // What a person sees on standard error: notes, and how far a long calculation is.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace bmc {
@@ -9,17 +10,16 @@ namespace bmc {
 inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 
-// From one second on a terminal shows "43 %, 12 s left" (standard error), or as much of it as fits on its line. A
-// calculation inside another one is a part of the other, and shows nothing.
+// The parts of a long calculation that are done. A calculation inside another one is inside a part of that. From the
+// second second of the program on a terminal shows "43 %" (standard error) of what was left then. It never goes back.
 class Progress {
 public:
-    explicit Progress(double parts);
+    explicit Progress(std::size_t parts);
     ~Progress();
-    void done(double parts = 1);  // any thread may call this
+    void done();  // one part more; any thread may call this
 
 private:
-    const double parts_;
-    double done_ = 0;
-    const bool outermost_;
+    Progress* const outer_;
+    std::size_t parts_, done_ = 0;
 };
 }  // namespace bmc

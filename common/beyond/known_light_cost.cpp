@@ -29,9 +29,8 @@ static std::string with_column(std::string table, const std::vector<std::string>
     return table;
 }
 
-std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map, Progress& progress) const {
+std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
     const RenderSettings dense = row_settings(costs, {}, 10000);
-    const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
     const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
     const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
                                             compared_picture(map, Method::pool, 20, {}),
@@ -40,6 +39,9 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
                                             picture_of_known(light, Method::pool, 20, {}),
                                             picture_of_known(light, Method::mc, 1, cosine_lattice),
                                             picture_of_known(light, Method::pool, 20, cosine_lattice)};
+    Progress progress(1 + 2 * compared.size());
+    const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
+    progress.done();
     std::vector<PictureCost> rows;
     std::vector<std::string> predictions{"   predicted within"};
     for (const PictureCost& each : compared)
@@ -53,7 +55,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
                 covered.add(coverage(image, truth, errors));
             }));
             predictions.push_back(formatted("  %10.5f %6.3f", predicted.value(), covered.mean));
-            progress.done(0.5 / static_cast<double>(compared.size()));
+            progress.done();
         }
     return "# The sphere scene under " + name +
            ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"

@@ -10,7 +10,7 @@ double coverage(const Image& image, const Image& truth, const Image& predicted);
 
 // What `workbench known-light` prints.
 struct KnownLightReport : PictureReport {
-    std::string table(const std::string& name, const EnvironmentMap& map, Progress& progress) const override;
+    std::string table(const std::string& name, const EnvironmentMap& map) const override;
 };
 
 // The commands of the workbench that go beyond the practice.

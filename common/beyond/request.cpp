@@ -35,6 +35,7 @@ std::string Request::report() const {
 }
 
 Image Request::image(const EnvironmentMap& map) const {
+    Progress progress(std::size_t{2} + (rmse > 0) + (show == Show::error));  // pilots, rules, rows, a better picture
     RenderSettings chosen = settings;
     const EnvironmentLight light(map, light_known, settings.threads);
     if (rmse > 0) {
@@ -45,11 +46,15 @@ Image Request::image(const EnvironmentMap& map) const {
                                      (light_known ? "" : "; take --known light, with the default covariance"));
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
+        progress.done();
     }
     if (!light_known && note_missed_light(map, chosen.samples)) print_note("note: --known light models this light");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    Image image = light_known ? render(map, chosen, shader_of(light, chosen)) : warned_picture(map, chosen);
+    const Shader shader = light_known ? shader_of(light, chosen) : warned_shader(map, chosen);
+    progress.done();
+    Image image = render(map, chosen, shader);
     if (show == Show::picture) return image;
+    progress.done();
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);

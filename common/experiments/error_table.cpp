@@ -40,18 +40,15 @@ static std::string mean_cells(const Statistics& errors, int width) {
     return cell(width, errors.count > 0 ? errors.mean : NAN) + cell(10, plus_minus < least ? 0 : plus_minus);
 }
 
-// How long an estimate takes, in any unit.
-static double mc_work(std::size_t samples) { return static_cast<double>(samples); }
-static double bmc_work(std::size_t samples) { return static_cast<double>(samples * samples) / 8; }
-
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
-                                 const ErrorSettings& settings, Progress& progress) {
+                                 const ErrorSettings& settings) {
+    Progress progress(settings.mc_estimates + settings.bmc_estimates);
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
-    for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done(mc_work(samples)))
+    for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done())
         add_mc_errors(rows, integrands, directions_of_estimate(settings, samples, e));
     const auto covariance = settings.make_covariance();
     try {
-        for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done(bmc_work(samples))) {
+        for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done()) {
             std::vector<Vec3> directions = directions_of_estimate(settings, samples, e).directions;
             add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, covariance->known());
         }
@@ -86,14 +83,11 @@ std::string ErrorTables::report() const {
     const std::vector<Integrand> integrands = practice_integrands(integrand);
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
-    double all_work = 0;
-    for (const std::size_t n : settings.samples)
-        all_work += static_cast<double>(settings.mc_estimates) * mc_work(n) +
-                    static_cast<double>(settings.bmc_estimates) * bmc_work(n);
-    Progress progress(all_work);
+    Progress progress(settings.samples.size());
     for (const std::size_t n : settings.samples) {
-        const std::vector<ErrorRow> rows = error_rows(integrands, n, settings, progress);
+        const std::vector<ErrorRow> rows = error_rows(integrands, n, settings);
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
+        progress.done();
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
         text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement.arrangement);

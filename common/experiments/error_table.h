@@ -30,7 +30,7 @@ struct ErrorRow {
 // both methods, so that columns differ by the method and not by luck, and for all integrands, so that its rule is made
 // once. A warning says why a Q could not be factored.
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
-                                 const ErrorSettings& settings, Progress& progress);
+                                 const ErrorSettings& settings);
 
 // A line for each row; - stands for what has no meaning, such as the equivalent random samples of an arrangement that
 // is not random.

@@ -91,7 +91,7 @@ std::string ModelsReport::report() const {
     double evidence_of_default = 0;
     RootMeanSquare mc;
     const std::vector<ModelSettings> models = all_models();
-    Progress progress(static_cast<double>(models.size()));
+    Progress progress(models.size());
     for (const ModelSettings& model : models) {
         const ModelResults v = results_of(model, integrands, samples);
         mc = v.monte_carlo;

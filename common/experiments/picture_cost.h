@@ -24,8 +24,8 @@ struct PictureReport : Experiment {
     void add_options(Options& options) override;
     std::string report() const override;
 
-    // The table of a light of this name. progress has one part for each light.
-    virtual std::string table(const std::string& name, const EnvironmentMap& light, Progress& progress) const = 0;
+    // The table of a light of this name.
+    virtual std::string table(const std::string& name, const EnvironmentMap& light) const = 0;
 };
 
 // The error of an image, over the pixels that show an object.

@@ -107,18 +107,16 @@ std::string StabilityReport::report() const {
 #                                                   digits at a noise of               S at a noise of
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
 )";
-    const auto work = [](std::size_t samples) { return static_cast<double>(samples * samples * samples); };
-    double all = 0;
-    for (const Setting& each : settings()) all += std::size(noises) * work(each.samples);
-    Progress progress(all);
-    for (const auto& [set, samples, family, parameter] : settings()) {
+    const std::vector<Setting> all = settings();
+    Progress progress(all.size() * std::size(noises));
+    for (const auto& [set, samples, family, parameter] : all) {
         const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
         text += formatted("  %-11s %7zu %-19s %9g ", name_of(set, sample_set_names), samples,
                           name_of(family, covariance_names), parameter);
         std::string constants;
         for (std::size_t i = 0; i < std::size(noises); ++i) {
             const auto stability = stability_of(sample_set(set, samples), *covariance, noises[i]);
-            progress.done(work(samples));
+            progress.done();
             text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "    -";
             if (i == 1 || i == 3 || i == 6)
                 constants += stability ? formatted(" %8.3g", stability->constant) : "        -";

@@ -82,15 +82,17 @@ void TradeoffReport::add_options(Options& options) {
 
 std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
 
-std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light, Progress& progress) const {
+std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
     const PictureCost dense = compared_picture(light, Method::mc, 1, cosine_lattice);
-    const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
     const std::vector<PictureCost> compared = compared_pictures(light);
+    Progress progress(1 + compared.size() * samples.size());
+    const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
+    progress.done();
     std::vector<PictureCost> rows;
     for (const PictureCost& each : compared)
         for (const std::size_t n : samples) {
             rows.push_back(measured_picture(each, n, costs, truth));
-            progress.done(1.0 / static_cast<double>(compared.size() * samples.size()));
+            progress.done();
         }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
            name + formatted(", c = %.2g.\n", contrast(light)) + meaning + (costs.untimed ? "" : measured) +

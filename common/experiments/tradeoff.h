@@ -15,6 +15,6 @@ struct TradeoffReport : PictureReport {
 
     void add_options(Options& options) override;
     std::string report() const override;
-    std::string table(const std::string& name, const EnvironmentMap& light, Progress& progress) const override;
+    std::string table(const std::string& name, const EnvironmentMap& light) const override;
 };
 }  // namespace bmc

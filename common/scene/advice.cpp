@@ -43,10 +43,10 @@ static void warn_of_weights(const PixelRules& rules) {
     if (!harm.empty()) print_note("warning: " + harm + "; take the default method, covariance and noise");
 }
 
-Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings) {
+Shader warned_shader(const EnvironmentMap& light, const RenderSettings& settings) {
     const PixelRules rules(settings);
     warn_of_weights(rules);
-    return render(light, settings, environment_shader(light, rules));
+    return environment_shader(light, rules);
 }
 
 void warn_of_exposure(const Image& image, double exposure) {

@@ -12,10 +12,10 @@ std::string two_digits(double number);
 // light's contrast c and from the part of the pixels that see a lamp.
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples);
 
-// The image of linear radiance. Before it a warning, if the error of its rules is more than twice that of Monte Carlo
-// with as many samples in one of two worlds, a white one or one of noise (white_brightness, noise_gain). Throws what
-// the Gaussian processes throw.
-Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings);
+// environment_shader by the rules of these settings. Before it a warning, if their error is more than twice that of
+// Monte Carlo with as many samples in one of two worlds, a white one or one of noise (white_brightness, noise_gain).
+// Throws what the Gaussian processes throw.
+Shader warned_shader(const EnvironmentMap& light, const RenderSettings& settings);
 
 // Prints a warning if more than a tenth of the objects' pixels is brighter than white, at this exposure.
 void warn_of_exposure(const Image& image, double exposure);

@@ -36,7 +36,10 @@ std::string PictureRequest::report() const {
     require_possible();
     const EnvironmentMap light = load_environment(environment, settings.threads);
     note_missed_light(light, settings.samples);
-    return file(warned_picture(light, settings));
+    Progress progress(2);  // the rules, and the rows
+    const Shader shader = warned_shader(light, settings);
+    progress.done();
+    return file(render(light, settings, shader));
 }
 
 std::size_t PictureRequest::most_samples() const {

@@ -324,10 +324,9 @@ void error_values(std::size_t mc_estimates, std::size_t bmc_estimates) {
                                                {"1 + x", [](Vec3 w) { return 1 + w.x; }, 2 * pi}};
     for_each_model([&](ErrorSettings model, const Covariance& k, const Directions& w) {
         model.mc_estimates = mc_estimates, model.bmc_estimates = bmc_estimates;
-        Progress progress(1);
         const std::string of = in + "of ";
         std::size_t i = 0;
-        for (const ErrorRow& row : error_rows(integrands, w.size(), model, progress)) {
+        for (const ErrorRow& row : error_rows(integrands, w.size(), model)) {
             in = of + integrands[i++].formula + ", ";
             if (mc_estimates > 0) errors("mc errors", row.mc, 1e-9);
             if (bmc_estimates == 0) continue;
