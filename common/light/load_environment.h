@@ -17,12 +17,11 @@ enum class BuiltInLight { desert, bright_desert, black_and_white };
 constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
 EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 
-// Reads a Radiance picture (.hdr; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream: linear RGB
-// radiance = mantissa * 2^(exponent - 136), exactly, over the product of the EXPOSURE and COLORCORR lines; XYZ is
-// converted. Any orientation, and scanlines that are flat, run-length coded, or coded in the way of before 1991. Memory
-// grows with what the file holds. Adds notes, a line each, of what was not as it should be. Throws std::runtime_error:
-// one line with the problem, and with what converts a picture of another kind.
-EnvironmentMap read_radiance_hdr(std::istream& in, std::vector<std::string>& notes);
+// Reads a Radiance picture (.hdr; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream, of the usual kind:
+// 32-bit_rle_rgbe, rows from the top left, flat or run-length coded. Linear RGB radiance = mantissa * 2^(exponent -
+// 136), exactly, over the product of the EXPOSURE lines. Memory grows with what the file holds. Throws
+// std::runtime_error: one line with the problem, and what converts a picture of another kind.
+EnvironmentMap read_radiance_hdr(std::istream& in);
 
 inline std::vector<std::string> light_names() { return {std::begin(built_in_lights), std::end(built_in_lights)}; }
 
@@ -30,6 +29,6 @@ inline std::vector<std::string> light_names() { return {std::begin(built_in_ligh
 inline std::string environment_help() { return "a .hdr (-: stdin), " + listed(light_names()) + " (default desert)"; }
 
 // The built-in light of this name, or else the one in the .hdr file; "-" is standard input. threads: how many to use.
-// Prints notes of what is unusual in the file. Throws std::runtime_error, one line that names the file.
+// Throws std::runtime_error, one line that names the file.
 EnvironmentMap load_environment(const std::string& name = "desert", std::size_t threads = 1);
 }  // namespace bmc

@@ -39,8 +39,7 @@ void require_size(const std::string& bytes, std::size_t begin, std::size_t expec
 
 Picture radiance_picture(const std::string& bytes) {
     std::istringstream in(bytes);
-    std::vector<std::string> notes;
-    const bmc::EnvironmentMap map = bmc::read_radiance_hdr(in, notes);
+    const bmc::EnvironmentMap map = bmc::read_radiance_hdr(in);
     Picture picture{bmc::Format::pfm, bmc::formatted(".hdr %d %d", map.width, map.height), {map.width, map.height}};
     for (std::size_t i = 0; i < picture.values.pixels.size(); ++i)
         picture.values.pixels[i] = map.colour(1 + static_cast<int>(i));
