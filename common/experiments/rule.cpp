@@ -14,7 +14,7 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
-// 17 digits are a double: read_samples reads the directions that are printed here.
+// 17 digits are a double: whoever reads the directions that are printed here has these.
 static std::string weights_block(const GaussianProcess& process, Known known) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
     int negative = 0;
@@ -81,19 +81,16 @@ static void add_line(Samples& samples, const std::string& line, std::size_t numb
     const std::vector<double> columns = columns_of(line, number);
     const std::size_t n = columns.size();
     if (n == 0) return;
-    if (n < 3 || n > 5)
-        throw error_in(number, formatted("expected x y z, x y z value, or x y z z_j weight, not %zu columns", n));
+    if (n != 3 && n != 4) throw error_in(number, formatted("expected x y z or x y z value, not %zu columns", n));
     const Vec3 w{columns[0], columns[1], columns[2]};
     if (!(std::fabs(length(w) - 1) <= 1e-6))
         throw error_in(number, formatted("the direction has the length %.9g; divide x, y and z by it", length(w)));
     if (w.y < 0) throw error_in(number, formatted("y = %g is below the horizon; directions have y >= 0", w.y));
     if (samples.directions.size() == max_process_samples) throw error_in(number, "at most 4096 directions are allowed");
-    if (!samples.directions.empty() && n != samples.columns)
-        throw error_in(number, formatted("%zu columns, where earlier lines have %zu", n, samples.columns));
-    samples.columns = n;
+    if (!samples.directions.empty() && (n == 3) != samples.values.empty())
+        throw error_in(number, formatted("%zu columns, where earlier lines have %zu", n, 7 - n));
     samples.directions.push_back(w);
-    samples.lines.push_back(number);
-    if (n > 3) samples.fourth.push_back(columns[3]);
+    if (n == 4) samples.values.push_back(columns[3]);
 }
 
 Samples read_samples(std::istream& in) {
@@ -123,19 +120,6 @@ void RuleReport::add_options(Options& options) {
     if (!directions.empty()) options.make_idle({"samples", "placement", "seed"}, "--directions");
 }
 
-// Of five columns the fourth is z_j: with another number they are not what this report prints, and would be lost.
-static Samples with_right_z(Samples given, const Covariance& covariance) {
-    if (given.columns < 5) return given;
-    const std::vector<double> z = z_of(covariance, given.directions);
-    for (std::size_t j = 0; j < z.size(); ++j)
-        if (!(std::fabs(given.fourth[j] - z[j]) <= 1e-6 * z[j]))
-            throw error_in(given.lines[j],
-                           formatted("five columns should be x y z z_j weight, but %.9g is not z_j, which is %.9g with "
-                                     "these options; for a value write x y z value",
-                                     given.fourth[j], z[j]));
-    return given;
-}
-
 std::string RuleReport::report() const {
     ModelSettings model = settings;
     if (!directions.empty()) model.placement = {};  // directions in a file have a density that nobody knows
@@ -145,10 +129,10 @@ std::string RuleReport::report() const {
     if (directions.empty())
         given.directions = place_directions(settings.placement, samples, random).directions;
     else
-        given = read_file(directions, [&](std::istream& in) { return with_right_z(read_samples(in), *covariance); });
+        given = read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);
     std::string text = weights_block(process, covariance->known());
-    if (given.columns == 4) text += estimate_line(process, covariance->known(), given.fourth);
+    if (!given.values.empty()) text += estimate_line(process, covariance->known(), given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());

@@ -6,18 +6,16 @@
 #include <iosfwd>
 
 namespace bmc {
-// Directions, and what stands in the fourth of 3, 4 or 5 columns: the value that was measured there, or z_j.
+// Directions, and the values that were measured there: none, or one for each.
 struct Samples {
-    std::size_t columns = 3;
     std::vector<Vec3> directions;
-    std::vector<double> fourth = {};
-    std::vector<std::size_t> lines = {};  // where they stand
+    std::vector<double> values = {};
 };
 
-// Reads lines "x y z", "x y z value", or "x y z z_j weight" as the report has them, all of one kind; # begins a
-// comment. Throws std::runtime_error that names the line for anything else, for a length that is not 1 within 1e-6, for
-// a direction below the horizon, and for more than 4096 directions, 65535 lines or 4095 characters in a line; so a file
-// without an end takes little memory. An error of reading is an exception, too.
+// Reads lines "x y z" or "x y z value", all of one kind; # begins a comment. Throws std::runtime_error that names the
+// line for anything else, for a length that is not 1 within 1e-6, for a direction below the horizon, and for more than
+// 4096 directions, 65535 lines or 4095 characters in a line; so a file without an end takes little memory. An error of
+// reading is an exception, too.
 Samples read_samples(std::istream& in);
 
 // What `workbench rule` prints: directions, z and weights; what the weights sum to; with values the estimate of their

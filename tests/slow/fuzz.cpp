@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     check<std::runtime_error>(text, [](std::istream& in) {
         const Samples samples = read_samples(in);
         return !samples.directions.empty() &&
-               samples.fourth.size() == (samples.columns == 3 ? 0 : samples.directions.size());
+               (samples.values.empty() || samples.values.size() == samples.directions.size());
     });
     check<std::invalid_argument>(text, reads_options);
     return 0;

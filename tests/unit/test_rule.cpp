@@ -15,13 +15,11 @@ static std::string rule_report(const std::string& content, std::vector<std::stri
     return report.report();
 }
 
-TEST_CASE("directions are read with or without values, and as the report prints them") {
+TEST_CASE("directions are read with or without values") {
     const Samples samples = samples_in("# x y z value\r\n0 1 0 2.5\r\n\n0.6 0.8 0 -1e3 # low\n\t0.0 0 -1\t7");
     CHECK(samples.directions == std::vector<Vec3>{{0, 1, 0}, {0.6, 0.8, 0}, {0, 0, -1}});
-    CHECK(samples.fourth == std::vector<double>{2.5, -1000, 7});
-    CHECK(samples.columns == 4);
-    CHECK(samples_in("\xef\xbb\xbf 0 1 0\n1 0 0\n").columns == 3);
-    CHECK(samples_in("#  x y z z_j weight\n0 1 0 0.5 0.25\n0.6 0.8 0 0.4 0.3\n").columns == 5);
+    CHECK(samples.values == std::vector<double>{2.5, -1000, 7});
+    CHECK(samples_in("\xef\xbb\xbf 0 1 0\n1 0 0\n").values.empty());
     CHECK(samples_in("0.8000008 0.6 0\n").directions.size() == 1);  // a length of 1 + 6.4e-7
 }
 
@@ -37,31 +35,17 @@ TEST_CASE("a line that is no direction is named, with what is wrong and what to 
         refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not finite", word));
     refused("x y z value\n0 1 0 1\n", "line 1: 'x' is not a number; # begins a comment");
     refused("0,1,0\n", "line 1: '0,1,0' is not a number; blanks stand between columns, not commas");
-    refused("0 1 0 abc 2\n", "line 1: 'abc' is not a number");
-    for (const auto& [line, count] : {std::pair("0 1\n", 2), {"0 1 0 1 1 1\n", 6}})
-        refused(line, formatted("line 1: expected x y z, x y z value, or x y z z_j weight, not %d columns", count));
+    refused("0 1 0 abc\n", "line 1: 'abc' is not a number");
+    for (const auto& [line, count] : {std::pair("0 1\n", 2), {"0 1 0 1 1\n", 5}})
+        refused(line, formatted("line 1: expected x y z or x y z value, not %d columns", count));
     for (const auto& [y, shown] : {std::pair("1.000002", "1.000002"), {"0.9991", "0.9991"}, {"0", "0"}})
         refused(formatted("0 %s 0\n", y), formatted("line 1: the direction has the length %s; divide x, y and", shown));
-    for (const auto& [lines, count, before] :
-         {std::tuple("0 1 0\n0 1 0 5\n", 4, 3), {"0 1 0 5\n0 1 0\n", 3, 4}, {"0 1 0 5\n0 1 0 5 1\n", 5, 4}})
+    for (const auto& [lines, count, before] : {std::tuple("0 1 0\n0 1 0 5\n", 4, 3), {"0 1 0 5\n0 1 0\n", 3, 4}})
         refused(lines, formatted("line 2: %d columns, where earlier lines have %d", count, before));
     refused("0 1 0\n1 -1e-17 0\n", "line 2: y = -1e-17 is below the horizon; directions have y >= 0");
     refused(std::string("0 1 0 5\0\n", 9), "line 1: '5");
     for (const char* mark : {"\xff\xfe", "\xfe\xff"})
         refused(mark + std::string("0"), "line 1: the file is UTF-16, as");
-}
-
-TEST_CASE("of five columns the fourth is z_j, or the line is named") {
-    const double z = Sobolev().z(0.8);
-    const auto file = [&](double fourth) {
-        return formatted("0 1 0 %.9g 1\n\n0.6 0.8 0 %.9g 1", Sobolev().z(1), fourth);
-    };
-    CHECK(rule_report(file((1 + 9e-7) * z)) == rule_report("0 1 0\n0.6 0.8 0"));
-    CHECK(message_of([&] { rule_report(file((1 + 1.1e-6) * z)); }) ==
-          Containing{": line 3: five columns should be x y z"});
-    CHECK(
-        message_of([&] { rule_report(file(2)); }) ==
-        Containing{formatted("but 2 is not z_j, which is %.9g with these options; for a value write x y z value", z)});
 }
 
 TEST_CASE("the number of directions is 1 to 4096, and that of lines and characters limited") {
