@@ -2,13 +2,8 @@
 // white space under lines that begin with '#', as gnuplot and awk read them.
 #include "base/portable_math.h"
 
-#include "experiments/belief.h"
 #include "experiments/error_table.h"
-#include "experiments/light.h"
-#include "experiments/models.h"
-#include "experiments/rule.h"
-#include "experiments/stability.h"
-#include "experiments/tradeoff.h"
+#include "experiments/reports.h"
 
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/known_light_cost.h")

@@ -1,4 +1,4 @@
-#include "experiments/belief.h"
+#include "experiments/reports.h"
 
 #include "base/parallel.h"
 #include "base/statistics.h"
@@ -102,6 +102,14 @@ void Belief::add_options(Options& options) {
     options.add("samples", "N", "directions of the process (default 40)", samples, 1, 400);
     options.add("environment", "FILE", environment_help(), environment);
     add_model_options(options, settings);
+}
+
+std::string LightFile::report() const {
+    const EnvironmentMap map = load_environment(environment);
+    Image image(map.width, map.height);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) image(x, y) = map.colour(map.index(x, y));
+    return encode(image, Format::pfm);
 }
 
 std::string Belief::report() const {

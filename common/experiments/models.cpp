@@ -1,6 +1,7 @@
-#include "experiments/models.h"
+#include "experiments/reports.h"
 
 #include "base/statistics.h"
+#include "experiments/integrands.h"
 #include "scene/scene.h"
 
 namespace bmc {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/statistics.h"
-#include "command_line/command_line.h"
+#include "command_line/model_options.h"
 #include "light/load_environment.h"
 #include "scene/render.h"
 

@@ -1,4 +1,4 @@
-#include "experiments/rule.h"
+#include "experiments/reports.h"
 
 #include "base/input.h"
 

@@ -1,4 +1,4 @@
-#include "experiments/stability.h"
+#include "experiments/reports.h"
 
 #include "quadrature/quadrature.h"
 

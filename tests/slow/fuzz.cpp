@@ -1,7 +1,6 @@
 // libFuzzer: any bytes are a map of radiances, rows of numbers or the options of a command, or an error of one line.
 #include "experiments/error_table.h"
-#include "experiments/rule.h"
-#include "light/load_environment.h"
+#include "experiments/reports.h"
 
 #include <getopt.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/belief.h"
+#include "experiments/reports.h"
 #include "test.h"
 
 // One direction w, seen by the process alone: Y = 1/2 there, and 0 is believed far from it. The mean is k Y / q with

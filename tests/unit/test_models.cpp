@@ -1,4 +1,4 @@
-#include "experiments/models.h"
+#include "experiments/reports.h"
 #include "test.h"
 
 // Two samples: Q = [a b; b a], whose inverse and determinant are elementary.

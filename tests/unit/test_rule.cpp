@@ -1,4 +1,4 @@
-#include "experiments/rule.h"
+#include "experiments/reports.h"
 #include "test.h"
 
 static Samples samples_in(const std::string& content) {
