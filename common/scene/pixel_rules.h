@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "base/terminal.h"
-#include "scene/reflection.h"
+#include "quadrature/quadrature.h"
 
 namespace bmc {
 enum class Method {

@@ -60,11 +60,11 @@ TEST_CASE("the number of directions is 1 to 4096, and that of lines and characte
     refused("#" + std::string(4095, ' ') + "\n0 1 0\n", "line 1: fewer than 65536 lines");
 }
 
-// Of one direction w = z / (k(0) + noise^2).
 TEST_CASE("an error of reading is not the end of the directions, wherever it is") {
     check_failing_reads("# x y z\n0 1 0 5\n0.6 0.8 0 7\n", read_samples);
 }
 
+// Of one direction w = z / (k(0) + noise^2).
 TEST_CASE("the report of directions with the known part cosine says so") {
     const double z = SobolevKnownCosine().z(0.8), w = z / (8.0 / 3 + 0.25);
     const std::string text = rule_report("0.6 0.8 0 -3\n", {"--known=cosine", "--noise=0.5"});

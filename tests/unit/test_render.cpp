@@ -1,4 +1,4 @@
-#include "scene/reflection.h"
+#include "scene/render.h"
 #include "test.h"
 
 #include <map>
