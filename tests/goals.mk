@@ -15,7 +15,6 @@
 
 # With UNIT_AS_ONE=yes the unit tests are one source: a third of the time where they only run.
 TESTS = $(if $(UNIT_AS_ONE),$(BUILD)/unit_sources.o,$(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp)))
-COMPARE = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/compare.cpp,$(wildcard tests/output/*.cpp)))
 .PHONY: doctest test unit references handout grade mutations portability sanitizers threads fuzz figures seconds
 .PHONY: format-check
 
@@ -34,10 +33,10 @@ doctest:
 	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
 
 # Linked again when a test goes, too.
-$(BUILD)/unit_tests: $(TESTS) $(COMPARE) $(COMMON) tests/unit
+$(BUILD)/unit_tests: $(TESTS) $(COMMON) tests/unit
 	$(call say,LINK $@) $(LINK) -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(COMPARE) $(COMMON)
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(COMMON)
 $(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o $(COMMON)
 $(BUILD)/verdict: $(BUILD)/tests/course/verdict.o
 $(BUILD)/compare $(BUILD)/check_tasks $(BUILD)/verdict:
@@ -99,7 +98,7 @@ fuzz:
 	$(FUZZ)/fuzz $(FUZZ)/found tests/slow/corpus -dict=tests/slow/corpus/dictionary -seed=1 \
 	    -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=30 -rss_limit_mb=4096 \
 	    -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
-$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(COMPARE) $(COMMON)
+$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
 figures seconds: all $(BUILD)/compare

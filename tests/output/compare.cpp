@@ -2,7 +2,7 @@
 // how much of it differs. Of pictures, PPM (P6) or PFM (PF), it measures the error. With --tolerant, for the output of
 // another program, numbers agree within a relative T (0.001) plus 1e-9, white space does not count, and pictures agree
 // in all but 0.1 % of their pixels. Exit status: 0 equal, 1 different, 2 a file cannot be read.
-#include "compare.h"
+#include "difference.h"
 
 #include "base/input.h"
 #include "command_line/command_line.h"
@@ -26,8 +26,6 @@ int main(int argc, char** argv) {
         if (argc != 3 + tolerant) throw std::runtime_error("usage: compare [--tolerant[=T]] REFERENCE ACTUAL");
         const double tolerance = tolerant ? tolerance_of(argv[1]) : 0;
         const std::string reference = content_of(argv[1 + tolerant]), actual = content_of(argv[2 + tolerant]);
-        if (reference == actual) return 0;
-        const auto difference = reference[0] == 'P' ? picture_difference : text_difference;
         const std::string words = difference(reference, actual, tolerance);
         if (words.empty()) return 0;
         std::printf("%s\n", words.c_str());

@@ -1,101 +1,77 @@
-// Of tests/output/compare.h: what judges all references.
-#include "../output/compare.h"
-#include "../output/picture.h"
+// Of tests/output/difference.h: what judges all references.
+#include "../output/difference.h"
 
 #include "test.h"
 
 static const std::string table = "# n error\n10 0.5\n20 -0.25\n40 0\n# sum 0.25; half\n";
 
-TEST_CASE("texts differ where their first line does") {
-    const auto difference = [](const std::string& actual) { return text_difference(table, actual, 0); };
-    CHECK(difference("# n error\n10 0.5\n20 -0.26\n40 0\n# sum 0.25; half\n") ==
-          "row 2 (line 3), column 2: reference -0.25, here -0.26; 1 of 5 lines differs");
-    CHECK(difference("# n error\n10\n20 -0.25\n40 0\n# sum 0.25\n") ==
-          "line 2, reference: 10 0.5, here: 10; 2 of 5 lines differ");
-    CHECK(difference("") == "line 1, reference: # n error, here: nothing; the reference has 5 lines, here are 0");
-    CHECK(difference(table.substr(0, table.size() - 1)) == "only the line end after the last line differs");
-}
-
-TEST_CASE("a reference may have Windows line ends, an output may not") {
-    CHECK(text_difference("10\r\n20\r\n", "10\n20\n", 0) == "");
-    CHECK(text_difference("10\n", "10\r\n", 0) ==
-          "line 1, reference: 10: only white space differs; 1 of 1 lines differs");
+TEST_CASE("texts differ where their first word does, and in white space") {
+    CHECK(difference(table, table, 0) == "");
+    CHECK(difference(table, "# n error\n10 0.5\n20 -0.26\n40 0\n# sum 0.25; half\n", 0) ==
+          "line 3: reference -0.25, here -0.26; 1 of 13 words differ");
+    CHECK(difference(table, "# n error\n10 0.5\n", 0) == "line 3: reference 20, here nothing; 8 of 13 words differ");
+    for (const std::string& other : {table.substr(0, table.size() - 1), "  " + table})
+        CHECK(difference(table, other, 0) == "no word differs, but white space, or the form of the numbers");
 }
 
 TEST_CASE("tolerant, numbers agree within a relative 0.001 plus 1e-9, and words exactly") {
-    const auto difference = [](const std::string& actual) { return text_difference(table, actual, 1e-3); };
-    CHECK(difference("# n  error\n10 0.50049\n20 -0.25\n40 9e-10\n# sum 0.2501; half\n") == "");
-    CHECK(difference("# n error\n10 0.50051\n20 -0.25\n40 0\n# sum 0.25; half\n") ==
-          "row 1 (line 2), column 2: reference 0.5, here 0.50051; 1 of 5 lines differs");
-    CHECK(difference("# n error\n10 0.5\n20 -0.25\n40 0\n# sum 0.25: half\n") ==
-          Containing{"line 5, reference: # sum"});
-    CHECK(text_difference("# n\n10\n\n# Q\n1 2\n3 4\n", "# n\n10\n\n# Q\n1 2\n3 5\n", 1e-3) ==
-          "row 3 (line 6), column 2: reference 4, here 5; 1 of 6 lines differs");
+    const auto with = [](const std::string& row) { return difference(table, "# n error\n" + row, 1e-3); };
+    CHECK(with("10  0.50049\n20 -0.25\n40 9e-10\n# sum 0.2501; half\n") == "");
+    CHECK(with("10 0.50051\n20 -0.25\n40 0\n# sum 0.25; half\n") == Containing{"line 2: reference 0.5, here 0.50051;"});
+    CHECK(with("10 0.5\n20 -0.25\n40 2e-9\n# sum 0.25; half\n") == Containing{"line 4: reference 0, here 2e-9;"});
+    CHECK(with("10 nan\n20 -0.25\n40 0\n# sum 0.25; half\n") == Containing{"line 2: reference 0.5, here nan;"});
+    CHECK(with("10 0.5\n20 -0.25\n40 0\n# sum 0.25: half\n") == Containing{"line 5: reference 0.25;, here 0.25:"});
+    CHECK(with("10 0.5\n20 -0.25\n40 0\n# sum 0.25; halves\n") == Containing{"reference half, here halves"});
 }
 
-// A picture of one row; of a PFM as a file of the other byte order if the scale is positive.
+// Of one row; and of one column, in a file of the other byte order if the scale is positive.
 static std::string ppm(const std::string& codes) { return formatted("P6\n%zu 1\n255\n", codes.size() / 3) + codes; }
-static std::string pfm(int width, int height, const std::vector<float>& values, const char* scale = "-1.0") {
-    std::string bytes = formatted("PF\n%d %d\n%s\n", width, height, scale);
-    for (const float value : values) {
-        const std::uint32_t word = portable::bit_cast<std::uint32_t>(value);
-        for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> 8 * (*scale == '-' ? k : 3 - k) & 255);
-    }
-    return bytes;
+static std::string pfm(const std::vector<Colour>& colours, const char* scale = "-1.0") {
+    Image image(1, static_cast<int>(colours.size()));
+    image.pixels = colours;
+    const std::string bytes = encode(image, Format::pfm), header = "PF\n1 " + std::to_string(colours.size()) + "\n";
+    std::string floats = bytes.substr(bytes.size() - 12 * colours.size());
+    for (std::size_t i = 0; i < floats.size() && *scale != '-'; i += 4) std::reverse(&floats[i], &floats[i] + 4);
+    return header + scale + "\n" + floats;
 }
 
 TEST_CASE("pictures differ at their first pixel, and by their errors there") {
-    CHECK(picture_difference(ppm("abcdef"), ppm("abcdeg"), 0) ==
-          "pixel (x 1, y 0), blue: reference 102, here 103; 1 of 2 pixels differs, at most by 1; there the RMSE is "
-          "0.0016, the brightness is off by +0.7 %");
-    CHECK(picture_difference(pfm(1, 1, {2, 1, 1}), pfm(1, 1, {NAN, 2, 1}), 0) ==
-          "pixel (x 0, y 0), red: reference 2, here nan; 1 of 1 pixels differs, at most by 1");
-    CHECK(picture_difference("P6\n2 1\n255\nabcdef", "P6 2 1\n255\nabcdef", 0) ==
-          "no pixel differs, but the form of the file: white space, text for bytes, or the sign of a 0");
-    CHECK_THROWS_WITH(picture_difference("P6\n2 1\n255\nabcde", ppm("abcdef"), 0),
-                      "the reference is damaged: bytes that are missing at the end: 1");
-}
-
-TEST_CASE("a PFM begins with the bottom row, and the sign of its scale orders its bytes") {
+    CHECK(difference(ppm("abcdef"), ppm("abcdeg"), 0) ==
+          "pixel (x 1, y 0): reference 102, here 103; 1 of 2 pixels differ; there the RMSE is 0.0016, the brightness "
+          "is off by +0.7 %");
+    CHECK(difference(pfm({{2, 1, 1}}), pfm({{NAN, 2, 1}}), 0) ==
+          "pixel (x 0, y 0): reference 2, here nan; 1 of 1 pixels differ");
     for (const char* scale : {"-1.0", "1.0"})
-        CHECK(picture_difference(pfm(1, 2, {1, 1, 1, 2, 2, 2}, scale), pfm(1, 2, {1, 2, 1, 2, 2, 2}, scale), 0) ==
-              "pixel (x 0, y 1), green: reference 1, here 2; 1 of 2 pixels differs, at most by 1; there the RMSE is "
-              "0.577, the brightness is off by +33.3 %");
+        CHECK(difference(pfm({{2, 2, 2}, {1, 1, 1}}, scale), pfm({{2, 2, 2}, {1, 2, 1}}, scale), 0) ==
+              "pixel (x 0, y 1): reference 1, here 2; 1 of 2 pixels differ; there the RMSE is 0.577, the brightness is "
+              "off by +33.3 %");
+    CHECK(difference(pfm({{2, 1, 0.5}}), pfm({{1, 0.5, 0.25}}, "-2"), 1e-3) == "");
+    CHECK(difference("P6\n2 1\n255\nabcdef", "P6 2 1\n255\nabcdef", 0) ==
+          "no word differs, but white space, or the form of the numbers");
 }
 
-TEST_CASE("tolerant, one pixel in a thousand may differ") {
+TEST_CASE("tolerant, floats have a tolerance, and one pixel in a thousand may differ") {
+    CHECK(difference(pfm({{2, 1, 1}}), pfm({{2, 1.0009, 1}}), 1e-3) == "");
+    CHECK(difference(pfm({{2, 1, 1}}), pfm({{2, 1.0009, 1}}), 0) == Containing{"reference 1, here 1.0009"});
+    CHECK(difference(pfm({{2, 1, 1}}), pfm({{2, NAN, 1}}), 1e-3) == Containing{"reference 1, here nan"});
     const std::string grey(3 * 1600, 'a');
     std::string spot = grey;
     spot[5] = 'b';
-    CHECK(picture_difference(ppm(grey), ppm(spot), 1e-3) == "");
+    CHECK(difference(ppm(grey), ppm(spot), 1e-3) == "");
     spot[6] = 'b';
-    CHECK(picture_difference(ppm(grey), ppm(spot), 1e-3) ==
-          Containing{"pixel (x 1, y 0), blue: reference 97, here 98; 2 of"});
+    CHECK(difference(ppm(grey), ppm(spot), 0.1) == Containing{"pixel (x 1, y 0): reference 97, here 98; 2 of 1600"});
 }
 
-TEST_CASE("a picture that is not read is named: how many bytes, text mode, another kind") {
-    const auto difference = [](const std::string& actual) { return picture_difference(ppm("abcdef"), actual, 0); };
-    CHECK(difference(ppm("abcdef").substr(0, 14)) == Containing{"bytes that are missing at the end: 3"});
-    CHECK(difference(ppm("abcdef") + "\n") == Containing{"no pixel differs, but the form"});
-    CHECK(difference(ppm("abcdef") + "\r\n") == Containing{"bytes behind the last pixel: 2"});
-    CHECK(!contains(difference(ppm("abcdef") + "\r\n"), "text mode"));
-    CHECK(difference("P6\r\n2 1\r\n255\r\na\r\nbcde") ==
-          Containing{"last pixel: 2; it was written in text mode, with CR before LF: open the file in binary mode"});
-    CHECK(difference("\x89PNG\r\n") == Containing{"it begins with none of P6, P3, PF and #?"});
-    CHECK(difference(std::string("\xff\xfeP\0006\0", 6)) == Containing{"it is UTF-16, as PowerShell's > writes it"});
-    CHECK(difference("P6\n2 1\n65535\nabcdef") == Containing{"its largest code is 65535; only 255 is supported"});
-    CHECK(difference("P6\n2 0\n255\n") == Containing{"its size 2 x 0 is not from 1 x 1"});
-    CHECK(difference("P6\n2") == Containing{"it ends inside the header"});
-}
-
-TEST_CASE("P3 is a PPM in text; a PFM's scale multiplies; an .hdr is linear light") {
-    const std::string text = "P3\n2 1\n255\n97 98 99\n100 101 102\n";
-    CHECK(picture_difference(ppm("abcdef"), text, 1e-3) == "");
-    CHECK(picture_difference(ppm("abcdef"), text.substr(0, text.size() - 5), 0) ==
-          Containing{"row 0, column 1: no code from 0 to 255"});
-    CHECK(picture_difference(ppm("abcdef"), "P3\n9999 9999\n255\n1", 0) == Containing{"it ends before the last pixel"});
-    CHECK(parse_picture(pfm(1, 1, {2, 1, 0.5}, "-2")).values(0, 0) == Vec3{4, 2, 1});
-    CHECK(parse_picture(pfm(1, 1, {2, 1, 0.5}, "0.5")).values(0, 0) == Vec3{1, 0.5, 0.25});
-    const Picture light = parse_picture("#?RADIANCE\n\n-Y 1 +X 2\n" + std::string("\1\2\3\210\4\5\6\210"));
-    CHECK(linear_light(light).pixels == std::vector<Colour>{{1, 2, 3}, {4, 5, 6}});
+TEST_CASE("a picture of another kind or size, in text, or cut is told from one that is right") {
+    CHECK(difference(ppm("abcdef"), "P3\n2 1\n255\n97 98 99\n100 101 102\n", 1e-3) == "");
+    CHECK(difference(ppm("abcdef"), ppm("abc"), 0) ==
+          "reference: 2 x 1, codes up to 255, here: 1 x 1, codes up to 255");
+    CHECK(difference(ppm("abcdef"), pfm({{}, {}}), 0) == Containing{", here: 1 x 2, floats"});
+    CHECK(difference(ppm("abcdef"), "\x89PNG", 0) == Containing{", here: no picture"});
+    for (const std::string& bytes :
+         {ppm("abcdef") + "\r\n", ppm("abcdef").substr(0, 12), std::string("P6\n2 1\n255"),
+          std::string("P3\n9999 9999\n255\n1"), std::string("PF\n6148914691236517206 1\n1\n"),
+          std::string("P6\n2 0\n255\n"), std::string("P6\n2"), pfm({{}}).substr(0, 20)})
+        CHECK(difference(ppm("abcdef"), bytes, 0) == Containing{"here is no complete picture: "});
+    CHECK_THROWS_AS(difference(ppm("abcdef").substr(0, 12), ppm("abcdef"), 0), std::runtime_error);
 }
