@@ -23,10 +23,10 @@ void Request::add_options(Options& options) {
             settings.known = chosen > 0 ? Known::cosine : Known::nothing;
             light_known = chosen == 2;
         });
-    if (settings.method == Method::mc && !light_known) options.make_idle({"known"}, "--method mc");
+    options.make_idle({"known"}, "with --method mc", [this] { return settings.method == Method::mc && !light_known; });
     options.add("rmse", "X", "use as few samples as reach this predicted RMSE (instead of --samples)", rmse, 1e-9, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
-    if (rmse > 0) options.make_idle({"samples"}, "--rmse");
+    options.make_idle({"samples"}, "with --rmse", [this] { return rmse > 0; });
 }
 
 std::string Request::report() const {

@@ -34,19 +34,6 @@ Option choice(const char* name, const std::vector<std::string>& names, std::size
             }};
 }
 
-// Why a word is no option. letter: where getopt_long took it for letters after a single dash, else 0.
-static std::string refusal(const std::string& word, int letter, const Options& options) {
-    if (letter)
-        return std::string("there is no option -") + static_cast<char>(letter) +
-               "; options begin with two dashes, and --help lists them all";
-    const std::string typed = word.substr(0, word.find('='));
-    std::vector<std::string> meant;
-    for (const Option& each : options.all)
-        if (("--" + each.name).compare(0, typed.size(), typed) == 0) meant.push_back("--" + each.name);
-    return meant.empty() ? "there is no option " + typed + "; --help lists them all"
-                         : typed + " is ambiguous: " + listed(meant);
-}
-
 // found: what getopt_long returned. value: what stands after '=', or else the next word.
 static void apply(const Option& option, int found, const std::string& value, bool is_next_word) {
     const std::string name = "--" + option.name;
@@ -72,7 +59,11 @@ std::set<std::string> parse_options(int argc, char** argv, const Options& option
     std::set<std::string> given;
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         const char* const word = argv[optind - 1];
-        if (found == '?' && optopt < first) throw std::invalid_argument(refusal(word, optopt, options));
+        if (found == '?' && optopt < first) {  // a letter, or 0
+            const std::string typed = optopt ? std::string{'-', static_cast<char>(optopt)} : word;
+            throw std::invalid_argument("there is no option " + typed.substr(0, typed.find('=')) +
+                                        ", or more than one that begins so; --help lists them all");
+        }
         const Option& chosen = options.all[static_cast<std::size_t>((found < first ? optopt : found) - first)];
         apply(chosen, found, optarg ? optarg : "", optarg == word);
         given.insert(chosen.name);
@@ -100,9 +91,9 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
-    for (const Option& each : command.experiment->options().all)
-        if (!each.idle_with.empty() && given.count(each.name) > 0)
-            print_note("note: --" + each.name + " changes nothing with " + each.idle_with);
+    for (const Option& each : options.all)
+        for (const auto& [with, holds] : each.idle)
+            if (given.count(each.name) > 0 && holds()) print_note("note: --" + each.name + " changes nothing " + with);
     return command.experiment->report();
 }
 

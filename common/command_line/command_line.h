@@ -30,7 +30,7 @@ struct Option {
     std::string argument;                         // what stands for its value in the help; empty if it takes none
     std::string description;                      // a line
     std::function<void(const std::string&)> set;  // throws std::invalid_argument
-    std::string idle_with = {};                   // "--covariance sobolev", if it changes nothing because of that
+    std::vector<std::pair<std::string, std::function<bool()>>> idle = {};  // "with --rmse", and whether that is so
 };
 
 // An option whose values have names, of which it has the usual one at first.
@@ -63,9 +63,9 @@ struct Options {
                    [&value](std::size_t chosen) { value = static_cast<T>(chosen); }));
     }
 
-    // The options of these names change nothing with another one.
-    void make_idle(const std::vector<std::string>& names, const std::string& with) {
-        for (const std::string& name : names) named(name).idle_with = with;
+    // The options of these names change nothing "with --rmse", where that holds.
+    void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds) {
+        for (const std::string& name : names) named(name).idle.emplace_back(with, holds);
     }
 };
 
@@ -77,7 +77,7 @@ struct Experiment {
         add_options(all);
         return all;
     }
-    virtual void add_options(Options&) {}    // they set members; idle with the values that these have
+    virtual void add_options(Options&) {}    // they set members
     virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
 };
 

@@ -14,8 +14,9 @@ void add_model_options(Options& options, ModelSettings& s) {
     options.add(choice("placement", {std::begin(placement_names), std::end(placement_names)}, number_of(s.placement),
                        "", [&s](std::size_t chosen) { s.placement = placement_of(chosen); }));
     options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
-    options.make_idle({s.covariance == CovarianceFamily::sobolev ? "length-scale" : "smoothness"},
-                      std::string("--covariance ") + name_of(s.covariance, covariance_names));
+    const auto is_sobolev = [&s] { return s.covariance == CovarianceFamily::sobolev; };
+    options.make_idle({"length-scale"}, "with --covariance sobolev", is_sobolev);
+    options.make_idle({"smoothness"}, "without --covariance sobolev", [=] { return !is_sobolev(); });
 }
 
 void add_sample_list(Options& options, std::vector<std::size_t>& samples) {

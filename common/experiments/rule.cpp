@@ -117,7 +117,7 @@ void RuleReport::add_options(Options& options) {
                 directions);
     options.add("matrices", "print Q and its inverse, too", matrices);
     add_model_options(options, settings);
-    if (!directions.empty()) options.make_idle({"samples", "placement", "seed"}, "--directions");
+    options.make_idle({"samples", "placement", "seed"}, "with --directions", [this] { return !directions.empty(); });
 }
 
 std::string RuleReport::report() const {

@@ -5,12 +5,8 @@
 namespace bmc {
 static void set_size(RenderSettings& settings, const std::string& text) {
     const std::size_t cross = text.find('x');
-    try {
-        settings.width = parse<int>(text.substr(0, cross), 1, 8192);
-        settings.height = cross == std::string::npos ? settings.width : parse<int>(text.substr(cross + 1), 1, 8192);
-    } catch (const std::invalid_argument&) {
-        throw std::invalid_argument("'" + text + "' is not WxH or W, of whole numbers from 1 to 8192");
-    }
+    settings.width = parse<int>(text.substr(0, cross), 1, 8192);
+    settings.height = cross == std::string::npos ? settings.width : parse<int>(text.substr(cross + 1), 1, 8192);
 }
 
 void PictureRequest::add_options(Options& options) {
@@ -25,11 +21,10 @@ void PictureRequest::add_options(Options& options) {
     options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
     options.add("threads", "T", "number of threads; the picture does not change (default: all processors)",
                 settings.threads, 1, 256);
-    const std::string method = std::string("--method ") + name_of(settings.method, method_names);
-    if (settings.method == Method::mc)
-        options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, method);
-    if (settings.method != Method::pool) options.make_idle({"pool"}, method);
-    if (is_linear(format)) options.make_idle({"exposure"}, std::string("--format ") + name_of(format, format_names));
+    options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, "with --method mc",
+                      [this] { return settings.method == Method::mc; });
+    options.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
+    options.make_idle({"exposure"}, "with --format pfm", [this] { return is_linear(format); });
 }
 
 std::string PictureRequest::report() const {
