@@ -22,13 +22,6 @@ double coverage(const Image& image, const Image& truth, const Image& predicted) 
     return within / all;
 }
 
-// The table with one of these texts more at the end of each line.
-static std::string with_column(std::string table, const std::vector<std::string>& cells) {
-    std::size_t end = 0;
-    for (const std::string& cell : cells) table.insert(end = table.find('\n', end), cell), end += cell.size() + 1;
-    return table;
-}
-
 std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
     const RenderSettings dense = row_settings(costs, {}, 10000);
     const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
@@ -43,7 +36,6 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
     progress.done();
     std::vector<PictureCost> rows;
-    std::vector<std::string> predictions{"   predicted within"};
     for (const PictureCost& each : compared)
         for (const std::size_t n : {10u, 40u}) {
             const EnvironmentLight& light_of_picture = each.known == std::string("light") ? light : unknown;
@@ -54,12 +46,12 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
                 predicted.add(root_mean_square(errors));
                 covered.add(coverage(image, truth, errors));
             }));
-            predictions.push_back(formatted("  %10.5f %6.3f", predicted.value(), covered.mean));
+            rows.back().more = formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
             progress.done();
         }
     return "# The sphere scene under " + name +
            ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"
            "# errors within two predicted ones.\n" +
-           with_column(picture_table(rows, !costs.untimed), predictions);
+           picture_table(rows, !costs.untimed, "   predicted within");
 }
 }  // namespace bmc::beyond

@@ -130,11 +130,11 @@ PictureCost measured_picture(PictureCost picture, std::size_t samples, const Cos
     return picture;
 }
 
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& more) {
     std::string text = formatted(
         "# method  pool placement         known   samples       rmse     +-rmse correlation brightness "
-        "mc_samples%s\n",
-        timed ? "  s/megapixel efficiency" : "");
+        "mc_samples%s%s\n",
+        timed ? "  s/megapixel efficiency" : "", more.c_str());
     for (const PictureCost& row : rows) {
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
@@ -147,7 +147,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
-        text += '\n';
+        text += row.more + '\n';
     }
     return text;
 }

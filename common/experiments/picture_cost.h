@@ -45,6 +45,7 @@ struct PictureCost {
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
     Statistics correlation = {};
     double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
+    std::string more = {};             // columns of another report
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
@@ -59,6 +60,6 @@ RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, 
 PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
                              const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
 
-// A line for each picture; the first pictures are classic Monte Carlo's.
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
+// A line for each picture, and above them the names of the columns; the first pictures are classic Monte Carlo's.
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& more = "");
 }  // namespace bmc
