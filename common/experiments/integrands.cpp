@@ -1,6 +1,6 @@
 #include "experiments/integrands.h"
 
-#include "light/load_environment.h"
+#include "light/environment.h"
 
 #include <numeric>
 

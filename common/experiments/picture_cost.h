@@ -3,7 +3,7 @@
 
 #include "base/statistics.h"
 #include "command_line/model_options.h"
-#include "light/load_environment.h"
+#include "light/environment.h"
 #include "scene/render.h"
 
 namespace bmc {

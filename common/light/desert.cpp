@@ -1,5 +1,5 @@
 #include "base/parallel.h"
-#include "light/load_environment.h"
+#include "light/environment.h"
 
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector

@@ -1,5 +1,7 @@
 #include "light/environment.h"
 
+#include "base/input.h"
+
 #include <algorithm>
 
 namespace bmc {
@@ -18,5 +20,11 @@ Colour EnvironmentMap::interpolated(double u, double v) const {
 Colour EnvironmentMap::bilinear_radiance(Vec3 direction) const {
     const double v = std::min(row(direction.y) - 0.5, std::max(height - 2.0, 0.0));
     return interpolated(column(direction.x, direction.z) - 0.5, v);
+}
+
+EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
+    for (std::size_t i = 0; i < std::size(built_in_lights); ++i)
+        if (name == built_in_lights[i]) return built_in_light(static_cast<BuiltInLight>(i), threads);
+    return read_file(name, read_radiance_hdr, "no such file, and not the name of a light: " + listed(light_names()));
 }
 }  // namespace bmc

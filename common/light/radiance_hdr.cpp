@@ -1,4 +1,4 @@
-#include "light/load_environment.h"
+#include "light/environment.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command_line/model_options.h"
-#include "light/load_environment.h"
+#include "light/environment.h"
 #include "scene/render.h"
 
 namespace bmc {

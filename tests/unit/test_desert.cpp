@@ -1,4 +1,4 @@
-#include "light/load_environment.h"
+#include "light/environment.h"
 #include "test.h"
 
 TEST_CASE("black and white is light from every direction with x > 0") {
