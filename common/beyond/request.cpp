@@ -29,11 +29,6 @@ void Request::add_options(Options& options) {
     options.make_idle({"samples"}, "with --rmse", [this] { return rmse > 0; });
 }
 
-std::string Request::report() const {
-    require_possible();
-    return file(image(load_environment(environment, settings.threads)));
-}
-
 Image Request::image(const EnvironmentMap& map) const {
     Progress progress(std::size_t{2} + (rmse > 0) + (show == Show::error));  // pilots, rules, rows, a better picture
     RenderSettings chosen = settings;

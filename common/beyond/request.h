@@ -16,10 +16,8 @@ struct Request : PictureRequest {
 
     void add_options(Options& options) override;
 
-    std::string report() const override;
-
     // What the file shows. Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many
     // samples.
-    Image image(const EnvironmentMap& map) const;
+    Image image(const EnvironmentMap& map) const override;
 };
 }  // namespace bmc::beyond

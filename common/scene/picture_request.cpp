@@ -28,31 +28,27 @@ void PictureRequest::add_options(Options& options) {
 }
 
 std::string PictureRequest::report() const {
-    require_possible();
-    const EnvironmentMap light = load_environment(environment, settings.threads);
+    if (settings.samples > most_samples())
+        throw std::invalid_argument(formatted(
+            "--samples: '%zu' is too many: at most 4096, except with --method mc on a lattice", settings.samples));
+    Image picture = image(load_environment(environment, settings.threads));
+    if (!is_linear(format)) {
+        const double factor = portable::pow(2, exposure);
+        for (Colour& pixel : picture.pixels) pixel = factor * pixel;
+        warn_of_exposure(picture, exposure);
+    }
+    return encode(picture, format);
+}
+
+Image PictureRequest::image(const EnvironmentMap& light) const {
     note_missed_light(light, settings.samples);
     Progress progress(2);  // the rules, and the rows
     const Shader shader = warned_shader(light, settings);
     progress.done();
-    return file(render(light, settings, shader));
+    return render(light, settings, shader);
 }
 
 std::size_t PictureRequest::most_samples() const {
     return settings.method == Method::mc && shared_count(settings) > 0 ? most_lattice_samples : max_process_samples;
-}
-
-void PictureRequest::require_possible() const {
-    if (settings.samples > most_samples())
-        throw std::invalid_argument(formatted(
-            "--samples: '%zu' is too many: at most 4096, except with --method mc on a lattice", settings.samples));
-}
-
-std::string PictureRequest::file(Image image) const {
-    if (!is_linear(format)) {
-        const double factor = portable::pow(2, exposure);
-        for (Colour& pixel : image.pixels) pixel = factor * pixel;
-        warn_of_exposure(image, exposure);
-    }
-    return encode(image, format);
 }
 }  // namespace bmc
