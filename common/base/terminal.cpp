@@ -59,8 +59,8 @@ void print_note(std::string_view text) {
             i = text.size() - most;
         }
         const auto byte = static_cast<unsigned char>(text[i]);
-        const bool of_utf8 = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
-        line[count++] = byte < ' ' || byte == 0x7f || of_utf8 ? '?' : text[i];
+        const bool is_control = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
+        line[count++] = byte < ' ' || byte == 0x7f || is_control ? '?' : text[i];
     }
     clear_line();
     std::fprintf(stderr, "%s: %.*s\n", program_name, static_cast<int>(count), line);

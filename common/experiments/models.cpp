@@ -32,18 +32,18 @@ static ModelResults results_of(const ModelSettings& model, const std::vector<Int
     for (std::size_t set = 0; set < sets; ++set) {
         const QuadratureRule rule = monte_carlo_rule(directions_of_estimate({}, samples, set));
         const GaussianProcess process(*covariance, model.noise, rule.directions);
-        ModelResults of_set;
+        ModelResults means;
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = evaluate(integrand.value, process.directions);
-            of_set.error.add(process.integral(values) - integrand.truth);
-            of_set.predicted.add(process.standard_error(values));
-            of_set.monte_carlo.add(estimate(rule, integrand.value) - integrand.truth);
-            if (process.amplitude(values) > 0) of_set.evidence.add(log_evidence(process, values));  // zeros fit all
+            means.error.add(process.integral(values) - integrand.truth);
+            means.predicted.add(process.standard_error(values));
+            means.monte_carlo.add(estimate(rule, integrand.value) - integrand.truth);
+            if (process.amplitude(values) > 0) means.evidence.add(log_evidence(process, values));  // zeros fit all
         }
-        all.error.add(of_set.error.value());
-        all.predicted.add(of_set.predicted.value());
-        all.monte_carlo.add(of_set.monte_carlo.value());
-        all.evidence.add(of_set.evidence.mean);
+        all.error.add(means.error.value());
+        all.predicted.add(means.predicted.value());
+        all.monte_carlo.add(means.monte_carlo.value());
+        all.evidence.add(means.evidence.mean);
     }
     return all;
 }

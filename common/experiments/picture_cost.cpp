@@ -141,9 +141,9 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
         text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
-                          name_of(s.method, method_names), s.pool, placement_names[number_of(s.placement)], row.known,
-                          s.samples, rmse, row.rmse.standard_error(), row.correlation.mean, row.brightness.value(),
-                          static_cast<double>(s.samples) * gain);
+                          name_of(s.method, method_names), s.pool, placement_names[number_of(s.placement)],
+                          row.known_word, s.samples, rmse, row.rmse.standard_error(), row.correlation.mean,
+                          row.brightness.value(), static_cast<double>(s.samples) * gain);
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);

@@ -42,16 +42,16 @@ static std::string rule_report() {
 )";
     constexpr const char* steps[] = {"draw", "Q", "factor", "z", "weights"};
     const RenderSettings usual;
-    std::vector<double> of_usual;
+    std::vector<double> usual_seconds;
     for (const std::size_t n : {10u, 20u, 40u, 100u, 200u, 500u}) {
         const std::vector<double> seconds = rule_seconds(n);
-        if (n == usual.samples) of_usual = seconds;
+        if (n == usual.samples) usual_seconds = seconds;
         text += formatted("%9zu", n);
-        for (const double of_step : seconds) text += formatted(" %10.3g", 1e6 * of_step);
+        for (const double step_seconds : seconds) text += formatted(" %10.3g", 1e6 * step_seconds);
         text += '\n';
     }
-    const auto end = of_usual.end() - 1;  // of the steps, before z by the sum
-    const auto costly = std::max_element(of_usual.begin(), end) - of_usual.begin();
+    const auto end = usual_seconds.end() - 1;  // of the steps, before z by the sum
+    const auto costly = std::max_element(usual_seconds.begin(), end) - usual_seconds.begin();
     double pixels = 0;
     for_each_hit(sphere_scene, {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
     return text +
@@ -61,8 +61,8 @@ static std::string rule_report() {
 
 
 )",
-               usual.width, usual.height, pixels, usual.samples, pixels * std::accumulate(of_usual.begin(), end, 0.0),
-               steps[costly], pixels * *end / 60);
+               usual.width, usual.height, pixels, usual.samples,
+               pixels * std::accumulate(usual_seconds.begin(), end, 0.0), steps[costly], pixels * *end / 60);
 }
 
 static const char* const meaning =

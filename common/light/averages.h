@@ -17,9 +17,9 @@ double mean_over_directions(const EnvironmentMap& map, Function f) {
     const auto cosine = [&](int y) { return portable::sincos_turns(0.5 * y / rows).cosine; };
     double sum = 0;
     for (int y = 0; y < rows; ++y) {
-        double of_row = 0;
-        for (int x = 0; x < columns; ++x) of_row += f(map.colour(map.index(x, y)));
-        sum += 2 * portable::pi / columns * (cosine(y) - cosine(y + 1)) * of_row;
+        double row_sum = 0;
+        for (int x = 0; x < columns; ++x) row_sum += f(map.colour(map.index(x, y)));
+        sum += 2 * portable::pi / columns * (cosine(y) - cosine(y + 1)) * row_sum;
     }
     return sum / (4 * portable::pi);
 }

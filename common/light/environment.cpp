@@ -9,11 +9,11 @@ Colour EnvironmentMap::interpolated(double u, double v) const {
     const int columns = std::max(width - 1, 1), left = static_cast<int>(std::floor(u)) + columns;
     const int above = static_cast<int>(std::floor(v));
     const double s = u - std::floor(u), t = v - std::floor(v);
-    const auto of_row = [&](int y) {
+    const auto in_row = [&](int y) {
         const int clamped = std::clamp(y, 0, height - 1);
         return (1 - s) * colour(index(left % columns, clamped)) + s * colour(index((left + 1) % columns, clamped));
     };
-    return (1 - t) * of_row(above) + t * of_row(above + 1);
+    return (1 - t) * in_row(above) + t * in_row(above + 1);
 }
 
 // The last column and the last row have no width. They count only in a map that has no other.

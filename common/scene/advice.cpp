@@ -33,11 +33,11 @@ static void warn_of_weights(const PixelRules& rules) {
         brightness.add(white_brightness(*rule));
     }
     const double excess = brightness.mean - 1;
-    const double of_monte_carlo = 1 / std::sqrt(3 * static_cast<double>(rules.settings.samples));
+    const double monte_carlo_error = 1 / std::sqrt(3 * static_cast<double>(rules.settings.samples));
     std::string harm;
     if (gain.value() > 2)
         harm = "the weights amplify errors of samples " + two_digits(gain.value()) + " times as much as Monte Carlo's";
-    else if (std::fabs(excess) > 2 * of_monte_carlo)
+    else if (std::fabs(excess) > 2 * monte_carlo_error)
         harm = formatted("the weights make a white world %.0f %% too %s, more than twice Monte Carlo's error",
                          100 * std::fabs(excess), excess < 0 ? "dark" : "bright");
     if (!harm.empty()) print_note("warning: " + harm + "; take the default method, covariance and noise");

@@ -1,8 +1,8 @@
 #include "scene/pixel_rules.h"
 
 namespace bmc {
-PixelRules::PixelRules(const RenderSettings& of_picture)
-    : settings(of_picture),
+PixelRules::PixelRules(const RenderSettings& picture_settings)
+    : settings(picture_settings),
       covariance(settings.method == Method::mc ? nullptr : settings.make_covariance()),
       shared(shared_count(settings) > 0 ? shared_rules() : SharedRules{}) {}
 

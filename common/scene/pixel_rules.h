@@ -50,7 +50,7 @@ struct PixelRules {
     const SharedRules shared;
 
     // Throws what the Gaussian processes throw.
-    explicit PixelRules(const RenderSettings& of_picture);
+    explicit PixelRules(const RenderSettings& picture_settings);
 
     // A rule on fresh directions, of Monte Carlo or of a Gaussian process.
     std::shared_ptr<const QuadratureRule> fresh_rule(Random& random) const;

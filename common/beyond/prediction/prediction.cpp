@@ -10,10 +10,10 @@ Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::
     return [=, sky = sun->sky(), rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        const Colour of_sky = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
-        if (sun->empty()) return of_sky;
-        const Colour of_sun = sample_sun(sphere_scene, *sun, hit, rays, random).visible;
-        return of_sky + sun->light() / (portable::pi * static_cast<double>(rays)) * (hit.albedo * of_sun);
+        const Colour sky_colour = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
+        if (sun->empty()) return sky_colour;
+        const Colour sun_colour = sample_sun(sphere_scene, *sun, hit, rays, random).visible;
+        return sky_colour + sun->light() / (portable::pi * static_cast<double>(rays)) * (hit.albedo * sun_colour);
     };
 }
 
