@@ -12,9 +12,9 @@ std::size_t shared_count(const RenderSettings& settings) {
         case Method::direct: return 0;
         case Method::single:
         case Method::rotated: return 1;
-        case Method::pool: return settings.pool;
+        case Method::pool: break;
     }
-    throw std::logic_error("a method without rules");
+    return settings.pool;
 }
 
 // The shared_count(settings) rules, made once: rule i by fresh_rule and rule_stream(settings, i).
