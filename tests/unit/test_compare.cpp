@@ -21,7 +21,11 @@ TEST_CASE("tolerant, numbers agree within a relative 0.001 plus 1e-9, and words 
     CHECK(with("10 0.5\n20 -0.25\n40 2e-9\n# sum 0.25; half\n") == Containing{"line 4: reference 0, here 2e-9;"});
     CHECK(with("10 nan\n20 -0.25\n40 0\n# sum 0.25; half\n") == Containing{"line 2: reference 0.5, here nan;"});
     CHECK(with("10 0.5\n20 -0.25\n40 0\n# sum 0.25: half\n") == Containing{"line 5: reference 0.25;, here 0.25:"});
-    CHECK(with("10 0.5\n20 -0.25\n40 0\n# sum 0.25; halves\n") == Containing{"reference half, here halves"});
+    for (const std::string word : {"halves", "0half"})
+        CHECK(with("10 0.5\n20 -0.25\n40 0\n# sum 0.25; " + word + "\n") == Containing{"reference half, here " + word});
+    std::string thousands;
+    for (int i = 0; i < 3000; ++i) thousands += "7 ";
+    CHECK(difference(thousands + "1", thousands + "2", 1e-3) == Containing{"1 of 3001 words differ"});
 }
 
 // Of one row; and of one column, in a file of the other byte order if the scale is positive.
