@@ -20,16 +20,17 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, Known density
 }
 
 std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known density) {
-    std::size_t rows = 1;
-    for (std::size_t divisor = 2; divisor * divisor <= n; ++divisor)
-        if (n % divisor == 0) rows = divisor;
-    const std::size_t columns = n / rows;
-    std::vector<Vec3> directions(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double height = static_cast<double>(i / columns + 1) - random.uniform();  // in rows, above 0
-        const double across = static_cast<double>(i % columns) + random.uniform();      // in columns
-        directions[i] =
-            direction_at(height / static_cast<double>(rows), across / static_cast<double>(columns), density);
+    const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)) + 0.5);
+    const double turns = random.uniform();
+    std::vector<Vec3> directions;
+    for (std::size_t row = 1; row <= rows; ++row) {
+        const std::size_t end = row * n / rows;  // of the row's cells
+        const double cells = static_cast<double>(end - directions.size());
+        for (double cell = 0; directions.size() < end; ++cell) {
+            const double height = static_cast<double>(end) - cells * random.uniform();  // in n-ths, above 0
+            const double across = cell + random.uniform();
+            directions.push_back(direction_at(height / static_cast<double>(n), turns + across / cells, density));
+        }
     }
     return directions;
 }

@@ -3,6 +3,8 @@
 #include "base/statistics.h"
 #include "test.h"
 
+#include <numeric>
+
 // The largest difference of a component.
 static double distance(Vec3 a, Vec3 b) {
     return std::max({std::fabs(a.x - b.x), std::fabs(a.y - b.y), std::fabs(a.z - b.z)});
@@ -34,19 +36,27 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
 
 // Within a cell the points are uniform: the mean place of 1000 n of them is 1/2 within 5 standard errors, sqrt(1/12)
 // over the root of their number.
-TEST_CASE("stratified directions have a random point in each cell of as square a grid as their number divides into") {
-    for (const auto& [n, rows] : {std::pair(13, 1), {20, 4}, {36, 6}})
+TEST_CASE("stratified directions have a random point in each of n cells of equal area, which are rotated at random") {
+    const std::vector<std::vector<double>> rows_of_cells{
+        {1}, {2}, {2, 2, 3}, {6, 7, 7, 6, 7, 7}, {9, 10, 10, 9, 10, 10, 9, 10, 10, 10}};
+    for (const std::vector<double>& rows : rows_of_cells)
         for (const Known density : {Known::nothing, Known::cosine}) {
+            const double n = std::accumulate(rows.begin(), rows.end(), 0.0);
             Random random(1, 0);
             Statistics within[2];
             for (int set = 0; set < 1000; ++set) {
+                const double turns = Random(random).uniform();
                 std::vector<int> cells(static_cast<std::size_t>(n));
                 for (const Vec3& d : stratified_directions(cells.size(), random, density)) {
-                    const double height = rows * (density == Known::cosine ? d.y * d.y : d.y);
-                    const double across = n / rows * (1 + std::atan2(d.x, d.z) / (2 * pi)), column = std::floor(across);
-                    ++cells.at(static_cast<std::size_t>(std::floor(height) + rows * std::fmod(column, n / rows)));
-                    within[0].add(height - std::floor(height));
-                    within[1].add(across - column);
+                    double below = 0;
+                    auto row = rows.begin();
+                    const double height = n * (density == Known::cosine ? d.y * d.y : d.y);
+                    while (height > below + *row) below += *row++;
+                    const double azimuth = 1 + std::atan2(d.x, d.z) / (2 * pi) - turns;
+                    const double across = *row * (azimuth - std::floor(azimuth));
+                    ++cells.at(static_cast<std::size_t>(below + std::floor(across)));
+                    within[0].add((height - below) / *row);
+                    within[1].add(across - std::floor(across));
                 }
                 CHECK(cells == std::vector<int>(cells.size(), 1));
             }
