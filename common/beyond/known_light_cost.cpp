@@ -25,13 +25,13 @@ double coverage(const Image& image, const Image& truth, const Image& predicted) 
 std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
     const RenderSettings dense = row_settings(costs, {}, 10000);
     const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
-    const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
-                                            compared_picture(map, Method::pool, 20, {}),
-                                            compared_picture(map, Method::pool, 20, cosine_lattice),
-                                            picture_of_known(light, Method::mc, 1, {}),
-                                            picture_of_known(light, Method::pool, 20, {}),
-                                            picture_of_known(light, Method::mc, 1, cosine_lattice),
-                                            picture_of_known(light, Method::pool, 20, cosine_lattice)};
+    const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, Placement::uniform),
+                                            compared_picture(map, Method::pool, 20, Placement::uniform),
+                                            compared_picture(map, Method::pool, 20, Placement::cosine_fibonacci),
+                                            picture_of_known(light, Method::mc, 1, Placement::uniform),
+                                            picture_of_known(light, Method::pool, 20, Placement::uniform),
+                                            picture_of_known(light, Method::mc, 1, Placement::cosine_fibonacci),
+                                            picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
     Progress progress(1 + 2 * compared.size());
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
     progress.done();

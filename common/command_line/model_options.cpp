@@ -11,8 +11,7 @@ void add_model_options(Options& options, ModelSettings& s) {
                 0, 1000);
     options.add(choice("known", {std::begin(known_names), std::end(known_names)}, 0, known_remark,
                        [&s](std::size_t chosen) { s.known = static_cast<Known>(chosen); }));
-    options.add(choice("placement", {std::begin(placement_names), std::end(placement_names)}, number_of(s.placement),
-                       "", [&s](std::size_t chosen) { s.placement = placement_of(chosen); }));
+    options.add("placement", placement_names, s.placement);
     options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
     const auto is_sobolev = [&s] { return s.covariance == CovarianceFamily::sobolev; };
     options.make_idle({"length-scale"}, "with --covariance sobolev", is_sobolev);

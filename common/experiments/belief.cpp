@@ -116,8 +116,7 @@ std::string Belief::report() const {
     const View view{load_environment(environment, processors())};
     const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
-    const GaussianProcess process(*covariance, settings.noise,
-                                  place_directions(settings.placement, samples, random).directions);
+    const GaussianProcess process(*covariance, settings.noise, sampler_of(settings.placement, samples)(random));
     const auto incident = [&](Vec3 w) { return luminance(view.light(w)) * known_part(covariance->known(), w); };
     const auto square = [&](Vec3 w) { return luminance(view.light(w)) * incident(w); };
     const std::vector<double> values = evaluate(incident, process.directions, covariance->known());

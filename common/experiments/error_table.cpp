@@ -44,13 +44,13 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
                                  const ErrorSettings& settings) {
     Progress progress(settings.mc_estimates + settings.bmc_estimates);
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
+    const auto directions_of = directions_of_estimates(settings, samples);
     for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done())
-        add_mc_errors(rows, integrands, directions_of_estimate(settings, samples, e));
+        add_mc_errors(rows, integrands, {directions_of(e), density_of(settings.placement)});
     const auto covariance = settings.make_covariance();
     try {
         for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done()) {
-            std::vector<Vec3> directions = directions_of_estimate(settings, samples, e).directions;
-            add_bmc_errors(rows, integrands, {*covariance, settings.noise, std::move(directions)}, covariance->known());
+            add_bmc_errors(rows, integrands, {*covariance, settings.noise, directions_of(e)}, covariance->known());
         }
     } catch (const NotPositiveDefinite& error) {
         print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());
@@ -59,13 +59,14 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     return rows;
 }
 
-std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Arrangement arrangement) {
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement) {
     std::string text = "# integral of " + integrand.formula + formatted(" = %.10f\n", integrand.truth) +
                        "# samples   mc_error        +-  bmc_error        +- bmc_predicted    mc/bmc mc_samples\n";
+    const bool random = placement == Placement::uniform || placement == Placement::cosine;
     for (const ErrorRow& row : rows)
         text += formatted("%9zu", row.samples) + mean_cells(row.mc, 11) + mean_cells(row.bmc, 11) +
                 cell(14, row.predicted.count > 0 ? row.predicted.mean : NAN) + cell(10, row.gain()) +
-                cell(11, arrangement == Arrangement::random ? row.equivalent_mc_samples() : NAN) + '\n';
+                cell(11, random ? row.equivalent_mc_samples() : NAN) + '\n';
     return text;
 }
 
@@ -90,7 +91,7 @@ std::string ErrorTables::report() const {
         progress.done();
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
-        text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement.arrangement);
+        text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement);
     return text;
 }
 }  // namespace bmc

@@ -32,9 +32,9 @@ struct ErrorRow {
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings);
 
-// A line for each row; - stands for what has no meaning, such as the equivalent random samples of an arrangement that
-// is not random.
-std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Arrangement arrangement);
+// A line for each row; - stands for what has no meaning, such as the equivalent random samples of a placement that is
+// not random.
+std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
 
 // What the workbench prints without a command: the tables of the practice's integrands.
 struct ErrorTables : Experiment {

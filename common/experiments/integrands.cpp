@@ -39,8 +39,10 @@ double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f
 }
 
 // n and e select the random stream.
-DirectionSet directions_of_estimate(const ModelSettings& settings, std::size_t n, std::size_t e) {
-    Random random(settings.seed, (std::uint64_t{n} << 32) + e);
-    return place_directions(settings.placement, n, random);
+std::function<std::vector<Vec3>(std::size_t)> directions_of_estimates(const ModelSettings& settings, std::size_t n) {
+    return [=, seed = settings.seed, sampler = sampler_of(settings.placement, n)](std::size_t e) {
+        Random random(seed, (std::uint64_t{n} << 32) + e);
+        return sampler(random);
+    };
 }
 }  // namespace bmc

@@ -28,9 +28,10 @@ struct ModelResults {
 static ModelResults results_of(const ModelSettings& model, const std::vector<Integrand>& integrands,
                                std::size_t samples) {
     const auto covariance = model.make_covariance();
+    const auto directions_of = directions_of_estimates({}, samples);
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule(directions_of_estimate({}, samples, set));
+        const QuadratureRule rule = monte_carlo_rule({directions_of(set)});
         const GaussianProcess process(*covariance, model.noise, rule.directions);
         ModelResults means;
         for (const Integrand& integrand : integrands) {

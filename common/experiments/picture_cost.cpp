@@ -89,28 +89,28 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    return {settings, name_of(placement.density, known_names), [&light](const RenderSettings& each) {
+    return {settings, name_of(density_of(placement), known_names), [&light](const RenderSettings& each) {
                 return render(light, each, environment_shader(light, PixelRules(each)));
             }};
 }
 
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
-    constexpr auto random = Arrangement::random, stratified = Arrangement::stratified, lattice = Arrangement::lattice;
-    constexpr auto cosine = Known::cosine;
-    return {compared_picture(light, Method::mc, 1, {}),
-            compared_picture(light, Method::mc, 1, {random, cosine}),
-            compared_picture(light, Method::direct, 1, {}),
-            compared_picture(light, Method::single, 1, {}),
-            compared_picture(light, Method::rotated, 1, {}),
-            compared_picture(light, Method::pool, 5, {}),
-            compared_picture(light, Method::pool, 20, {}),
-            compared_picture(light, Method::pool, 20, {random, cosine}),
-            compared_picture(light, Method::mc, 1, {stratified, cosine}),
-            compared_picture(light, Method::pool, 20, {stratified, cosine}),
-            compared_picture(light, Method::mc, 1, {lattice}),
-            compared_picture(light, Method::pool, 20, {lattice}),
-            compared_picture(light, Method::mc, 1, {lattice, cosine}),
-            compared_picture(light, Method::pool, 20, {lattice, cosine})};
+    return {compared_picture(light, Method::mc, 1, Placement::uniform),
+            compared_picture(light, Method::mc, 1, Placement::cosine),
+            compared_picture(light, Method::direct, 1, Placement::uniform),
+            compared_picture(light, Method::single, 1, Placement::uniform),
+            compared_picture(light, Method::rotated, 1, Placement::uniform),
+            compared_picture(light, Method::pool, 5, Placement::uniform),
+            compared_picture(light, Method::pool, 20, Placement::uniform),
+            compared_picture(light, Method::pool, 20, Placement::cosine),
+            compared_picture(light, Method::mc, 1, Placement::cosine_stratified),
+            compared_picture(light, Method::pool, 20, Placement::cosine_stratified),
+            compared_picture(light, Method::mc, 1, Placement::fibonacci),
+            compared_picture(light, Method::pool, 20, Placement::fibonacci),
+            compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci),
+            compared_picture(light, Method::pool, 20, Placement::cosine_fibonacci),
+            compared_picture(light, Method::mc, 1, Placement::cosine_optimised),
+            compared_picture(light, Method::pool, 20, Placement::cosine_optimised)};
 }
 
 PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
@@ -141,7 +141,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
         text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
-                          name_of(s.method, method_names), s.pool, placement_names[number_of(s.placement)],
+                          name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names),
                           row.known_word, s.samples, rmse, row.rmse.standard_error(), row.correlation.mean,
                           row.brightness.value(), static_cast<double>(s.samples) * gain);
         if (timed)

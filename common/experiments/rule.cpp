@@ -127,7 +127,7 @@ std::string RuleReport::report() const {
     Random random(settings.seed, 0);
     Samples given;
     if (directions.empty())
-        given.directions = place_directions(settings.placement, samples, random).directions;
+        given.directions = sampler_of(settings.placement, samples)(random);
     else
         given = read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);

@@ -1,20 +1,28 @@
 #include "quadrature/quadrature.h"
 
 namespace bmc {
-static DirectionSet rotated(DirectionSet set, Random& random) {
-    const double turns = random.uniform();
-    for (Vec3& direction : set.directions) direction = rotate_around_y(direction, turns);
-    return set;
+static Sampler rotated(const std::vector<Vec3>& fixed) {
+    return [=](Random& random) {
+        std::vector<Vec3> directions = fixed;
+        const double turns = random.uniform();
+        for (Vec3& direction : directions) direction = rotate_around_y(direction, turns);
+        return directions;
+    };
 }
 
-DirectionSet place_directions(Placement placement, std::size_t n, Random& random) {
-    const Known density = placement.density;
-    switch (placement.arrangement) {
-        case Arrangement::random: return {random_directions(n, random, density), density};
-        case Arrangement::stratified: return {stratified_directions(n, random, density), density};
-        case Arrangement::lattice: break;
+Sampler sampler_of(Placement placement, std::size_t n) {
+    const Known p = density_of(placement);
+    switch (placement) {
+        case Placement::uniform:
+        case Placement::cosine: return [=](Random& random) { return random_directions(n, random, p); };
+        case Placement::stratified:
+        case Placement::cosine_stratified: return [=](Random& random) { return stratified_directions(n, random, p); };
+        case Placement::fibonacci:
+        case Placement::cosine_fibonacci: return rotated(fibonacci_directions(n, p));
+        case Placement::optimised:
+        case Placement::cosine_optimised: return rotated(optimised_directions(n, p));
     }
-    return rotated({fibonacci_directions(n, density), density}, random);
+    throw std::logic_error("a placement without directions");
 }
 
 // BEGIN SOLUTION montecarlo
@@ -32,7 +40,7 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool in_closed_form = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
-    if (known.value_or(placement.density) == Known::cosine) {
+    if (known.value_or(density_of(placement)) == Known::cosine) {
         if (in_closed_form) return std::make_shared<SobolevKnownCosine>();
         throw std::invalid_argument(
             "the known part cosine, as of directions of that density, needs the covariance sobolev of smoothness 1.5");

@@ -5,6 +5,7 @@
 #include "quadrature/gaussian_process.h"
 #include "quadrature/hemisphere.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -19,24 +20,25 @@ struct QuadratureRule {
     std::size_t size() const { return weights.size(); }
 };
 
-// How the directions of a rule are placed: an arrangement, and a density, which is p over its integral. A lattice has
-// the same directions each time, up to a rotation about the up axis.
-enum class Arrangement { random, stratified, lattice };
-struct Placement {
-    Arrangement arrangement = Arrangement::random;
-    Known density = Known::nothing;
+// How the directions of a rule are placed (hemisphere.h), with the uniform density, and then with the cosine's.
+enum class Placement {
+    uniform,
+    stratified,
+    fibonacci,
+    optimised,
+    cosine,
+    cosine_stratified,
+    cosine_fibonacci,
+    cosine_optimised
 };
+constexpr const char* placement_names[] = {"uniform", "stratified",        "fibonacci",        "optimised",
+                                           "cosine",  "cosine-stratified", "cosine-fibonacci", "cosine-optimised"};
 
-constexpr Placement cosine_lattice{Arrangement::lattice, Known::cosine};
-
-// All placements, each of which has a name: the arrangements with a uniform density, then with the cosine's.
-constexpr const char* placement_names[] = {"uniform", "stratified",        "fibonacci",
-                                           "cosine",  "cosine-stratified", "cosine-fibonacci"};
-inline Placement placement_of(std::size_t number) {
-    return {static_cast<Arrangement>(number % 3), static_cast<Known>(number / 3)};
-}
-inline std::size_t number_of(Placement placement) {
-    return 3 * static_cast<std::size_t>(placement.density) + static_cast<std::size_t>(placement.arrangement);
+// The density is this known part over its integral. Lattices and optimised sets are fixed: the same each time.
+inline Known density_of(Placement p) { return p < Placement::cosine ? Known::nothing : Known::cosine; }
+inline bool is_lattice(Placement p) { return p == Placement::fibonacci || p == Placement::cosine_fibonacci; }
+inline bool is_fixed(Placement p) {
+    return is_lattice(p) || p == Placement::optimised || p == Placement::cosine_optimised;
 }
 
 // Directions whose density is the known part p over its integral.
@@ -45,8 +47,9 @@ struct DirectionSet {
     Known known = Known::nothing;
 };
 
-// A fresh set of n >= 1 directions; a lattice is rotated by a random angle.
-DirectionSet place_directions(Placement placement, std::size_t n, Random& random);
+// Draws a fresh set of n >= 1 directions. A fixed set is made once, here, and then rotated by random angles.
+using Sampler = std::function<std::vector<Vec3>(Random&)>;
+Sampler sampler_of(Placement placement, std::size_t n);
 
 // Monte Carlo: the estimate of the integral of f p is the mean of f p / density, which is f times the integral of p. So
 // the weights are equal: 2 pi / n for p = 1, and pi / n for p = cos(theta) (importance sampling). On a lattice this is
@@ -71,7 +74,7 @@ struct ModelSettings {
     double length_scale = 1;  // of any other family
     double noise = 0.01;
     std::optional<Known> known = {};  // unless given, the density of the placement
-    Placement placement = {};
+    Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 
     // Throws std::invalid_argument as the covariance's constructor does, and if the known part has no closed form.

@@ -49,6 +49,6 @@ Image PictureRequest::image(const EnvironmentMap& light) const {
 }
 
 std::size_t PictureRequest::most_samples() const {
-    return settings.method == Method::mc && shared_count(settings) > 0 ? most_lattice_samples : max_process_samples;
+    return settings.method == Method::mc && is_lattice(settings.placement) ? most_lattice_samples : max_process_samples;
 }
 }  // namespace bmc

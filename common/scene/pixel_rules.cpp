@@ -4,11 +4,12 @@ namespace bmc {
 PixelRules::PixelRules(const RenderSettings& picture_settings)
     : settings(picture_settings),
       covariance(settings.method == Method::mc ? nullptr : settings.make_covariance()),
+      sampler(sampler_of(settings.placement, settings.samples)),
       shared(shared_count(settings) > 0 ? shared_rules() : SharedRules{}) {}
 
 std::size_t shared_count(const RenderSettings& settings) {
     switch (settings.method) {
-        case Method::mc: return settings.placement.arrangement == Arrangement::lattice ? 1 : 0;
+        case Method::mc: return is_fixed(settings.placement) ? 1 : 0;
         case Method::direct: return 0;
         case Method::single:
         case Method::rotated: return 1;
@@ -32,10 +33,10 @@ SharedRules PixelRules::shared_rules() const {
 // END SOLUTION
 
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
-    DirectionSet set = place_directions(settings.placement, settings.samples, random);
+    std::vector<Vec3> directions = sampler(random);
     return std::make_shared<QuadratureRule>(cosine_rule(
-        settings.method == Method::mc ? monte_carlo_rule(std::move(set))
-                                      : bayesian_rule(*covariance, settings.noise, std::move(set.directions))));
+        settings.method == Method::mc ? monte_carlo_rule({std::move(directions), density_of(settings.placement)})
+                                      : bayesian_rule(*covariance, settings.noise, std::move(directions))));
 }
 
 OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {

@@ -8,7 +8,7 @@
 
 namespace bmc {
 enum class Method {
-    mc,       // classic Monte Carlo: fresh directions for every pixel (a lattice: rotated at random)
+    mc,       // classic Monte Carlo: fresh directions for every pixel (a fixed set: rotated at random)
     direct,   // a fresh Gaussian process on fresh directions for every pixel
     single,   // one Gaussian process for the whole image
     rotated,  // the same, its directions rotated at random about the normal in every pixel
@@ -44,6 +44,7 @@ std::size_t shared_count(const RenderSettings& settings);  // how many rules pix
 struct PixelRules {
     const RenderSettings settings;
     const std::shared_ptr<const Covariance> covariance;  // null for Method::mc
+    const Sampler sampler;
 
     // The rules that pixels share. The weights of these and of those below include cos(theta): they integrate
     // L v cos(theta) from samples of L v.

@@ -128,12 +128,12 @@ void for_each_model(Function f) {
         double noise;
         CovarianceFamily family = sobolev;
         Known known = Known::nothing;
-        Placement placement = {};
+        Placement placement = Placement::uniform;
         double smoothness = 1.5;
     } models[] = {{"Sobolev 1.5", 3, 0.3},
                   {"Sobolev 1.5", 1, 0.3},
                   {"squared exponential 0.4", 3, 0.3, smooth},
-                  {"Sobolev 1.4", 9, 0.05, sobolev, Known::nothing, {Arrangement::random, Known::cosine}, 1.4},
+                  {"Sobolev 1.4", 9, 0.05, sobolev, Known::nothing, Placement::cosine, 1.4},
                   {"Sobolev 1.5 with the known part cosine", 8, 0.05, sobolev, Known::cosine},
                   {"Sobolev 1.5", 100, 0.01}};  // no program takes more unless it is asked to
     for (const auto& each : models) {
@@ -422,13 +422,13 @@ RenderSettings settings_of(Method method, Placement placement, std::size_t n) {
     return settings;
 }
 
-// Without lattices, which the task rotate turns.
+// Without fixed sets, which the task rotate turns.
 const Check shared_rules_check("shared_rules", [] {
     for (std::size_t method = 0; method < std::size(method_names); ++method)
         for (std::size_t placement = 0; placement < std::size(placement_names); ++placement)
             for (const std::size_t n : {3u, 20u}) {
-                if (placement_of(placement).arrangement == Arrangement::lattice) continue;
-                const PixelRules rules(settings_of(static_cast<Method>(method), placement_of(placement), n));
+                if (is_fixed(static_cast<Placement>(placement))) continue;
+                const PixelRules rules(settings_of(static_cast<Method>(method), static_cast<Placement>(placement), n));
                 const std::string of = formatted("method %s, placement %s, n = %zu: ", method_names[method],
                                                  placement_names[placement], n);
                 in = of;
@@ -450,7 +450,7 @@ int index_of(const QuadratureRule& rule, const SharedRules& shared) {
 template <Method method>
 void rule_for_values() {
     const std::pair<std::size_t, Placement> sets[] = {
-        {3, {}}, {20, {Arrangement::random, Known::cosine}}, {40, {Arrangement::stratified}}};
+        {3, Placement::uniform}, {20, Placement::cosine}, {40, Placement::stratified}};
     for (const auto& [n, placement] : sets) {
         const PixelRules rules(settings_of(method, placement, n));
         for (const Vec3& direction : directions_of(12)) {

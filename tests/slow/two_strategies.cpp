@@ -21,7 +21,7 @@ int main() {
     costs.size = 40;
     for (const std::string& name : light_names()) {
         const EnvironmentMap light = load_environment(name);
-        const PictureCost dense = compared_picture(light, Method::mc, 1, cosine_lattice);
+        const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
         const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
         for (const std::size_t n : {10, 40, 160}) {
             RootMeanSquare rmse[3];

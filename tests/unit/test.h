@@ -164,7 +164,7 @@ inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, 
     return settings.make_covariance();
 }
 
-inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = {},
+inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = Placement::uniform,
                                     Known known = Known::nothing) {
     RenderSettings settings;
     settings.method = method;

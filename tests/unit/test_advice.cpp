@@ -48,7 +48,7 @@ TEST_CASE("weights that cancel, or that make a white world dark, give a warning"
 }
 
 TEST_CASE("weights that are too bright give a warning, and the default cures them") {
-    RenderSettings settings = small_picture(Method::pool, 85, 12, cosine_lattice);
+    RenderSettings settings = small_picture(Method::pool, 85, 12, Placement::cosine_fibonacci);
     CHECK(warning_of(settings).empty());
     settings.smoothness = 1.001;
     CHECK(warning_of(settings) ==
@@ -61,7 +61,7 @@ TEST_CASE("the defaults give no warning at any number of samples and placement")
         for (const std::size_t samples : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 89u, 144u})
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {
                 RenderSettings settings = RenderSettings();
-                settings.placement = placement_of(placement);
+                settings.placement = static_cast<Placement>(placement);
                 settings.samples = samples;
                 settings.seed = seed;
                 CHECK_MESSAGE(warning_of(settings).empty(),

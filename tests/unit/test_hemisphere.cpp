@@ -1,6 +1,7 @@
 #include "quadrature/hemisphere.h"
 
 #include "base/statistics.h"
+#include "quadrature/gaussian_process.h"
 #include "test.h"
 
 #include <numeric>
@@ -61,6 +62,31 @@ TEST_CASE("stratified directions have a random point in each of n cells of equal
                 CHECK(cells == std::vector<int>(cells.size(), 1));
             }
             for (const Statistics& place : within) CHECK(std::fabs(place.mean - 0.5) < 5 * std::sqrt(1 / 12e3 / n));
+        }
+}
+
+// V of equal weights.
+static double variance_of_equal_weights(const Covariance& covariance, const std::vector<Vec3>& directions) {
+    const double w = known_integral(covariance.known()) / static_cast<double>(directions.size());
+    double v = covariance.zz();
+    for (const double z : z_of(covariance, directions)) v -= 2 * w * z;
+    for (const Vec3& a : directions)
+        for (const Vec3& b : directions) v += w * w * covariance.k(squared_distance(a, b));
+    return v;
+}
+
+TEST_CASE(
+    "equal weights have a smaller worst-case error on optimised directions than on a lattice, the same each time") {
+    for (const std::size_t n : {1u, 2u, 7u, 40u, 97u})
+        for (const Known p : {Known::nothing, Known::cosine}) {
+            const auto covariance = covariance_of(CovarianceFamily::sobolev, 1.5, p);
+            const std::vector<Vec3> directions = optimised_directions(n, p);
+            const double v = variance_of_equal_weights(*covariance, directions);
+            CAPTURE(n);
+            CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, p))) < 0.96);
+            CHECK(directions.size() == n);
+            for (const Vec3& d : directions) CHECK_MESSAGE((d.y > 0 && std::fabs(length(d) - 1) < few_roundings), d);
+            CHECK(optimised_directions(n, p) == directions);
         }
 }
 

@@ -10,10 +10,10 @@ static Image truth_with_sun(const EnvironmentMap& map, RenderSettings settings, 
 
 // Of the 200,000 directions 200 meet the sun.
 TEST_CASE("the dense truth under a sun agrees with a picture by many directions") {
-    RenderSettings settings = small_picture(Method::mc, 200000, 10, {Arrangement::lattice});
+    RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = sunny_map();
-    const PictureCost equal = compared_picture(map, Method::mc, 1, {Arrangement::lattice});
+    const PictureCost equal = compared_picture(map, Method::mc, 1, Placement::fibonacci);
     const ImageError error = image_error(equal.image(settings), truth_with_sun(map, settings, 3000));
     CHECK(error.rmse < 0.01);
     CHECK(std::fabs(error.brightness) < 2e-3);
@@ -29,10 +29,10 @@ TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
 // Equal weights on the cosine lattice, which the better picture has, are the best that the picture itself can have.
 TEST_CASE("a better picture has at most half of the error of the best, under a sun, too") {
     for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
-        const RenderSettings settings = small_picture(Method::mc, 20, 16, cosine_lattice);
+        const RenderSettings settings = small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci);
         const Image truth = truth_with_sun(map, settings, 2000),
                     better = render(map, settings, better_shader({map, false, 1}, settings));
-        const PictureCost equal = compared_picture(map, Method::mc, 1, cosine_lattice);
+        const PictureCost equal = compared_picture(map, Method::mc, 1, Placement::cosine_fibonacci);
         CAPTURE(map.width);
         CHECK(image_error(better, truth).rmse < 0.5 * image_error(equal.image(settings), truth).rmse);
     }

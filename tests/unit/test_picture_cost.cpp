@@ -36,10 +36,10 @@ TEST_CASE("an image's error is its root mean square, its correlation and its bri
 }
 
 TEST_CASE("the dense truth agrees with a picture by many directions") {
-    RenderSettings settings = small_picture(Method::mc, 100000, 10, {Arrangement::lattice});
+    RenderSettings settings = small_picture(Method::mc, 100000, 10, Placement::fibonacci);
     settings.threads = 2;
     const EnvironmentMap map = coloured_map(16, 9);
-    const PictureCost dense = compared_picture(map, Method::mc, 1, cosine_lattice);
+    const PictureCost dense = compared_picture(map, Method::mc, 1, Placement::cosine_fibonacci);
     CostSettings costs;
     costs.size = 10;
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));

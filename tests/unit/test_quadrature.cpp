@@ -1,6 +1,30 @@
 #include "quadrature/quadrature.h"
 #include "test.h"
 
+TEST_CASE("a placement is what its name says; a fixed one draws the same directions each time but for a rotation") {
+    for (std::size_t i = 0; i < std::size(placement_names); ++i) {
+        const Placement placement = static_cast<Placement>(i);
+        const Known p = density_of(placement);
+        const std::string name = placement_names[i];
+        CAPTURE(name);
+        CHECK((p == Known::cosine) == contains(name, "cosine"));
+        CHECK(is_lattice(placement) == contains(name, "fibonacci"));
+        CHECK(is_fixed(placement) == (is_lattice(placement) || contains(name, "optimised")));
+        Random random(1, 0), same(1, 0);
+        const Sampler sampler = sampler_of(placement, 7);
+        for (int draw = 0; draw < 2; ++draw) {
+            const std::vector<Vec3> drawn = sampler(random);
+            std::vector<Vec3> expected = is_lattice(placement)          ? fibonacci_directions(7, p)
+                                         : is_fixed(placement)          ? optimised_directions(7, p)
+                                         : contains(name, "stratified") ? stratified_directions(7, same, p)
+                                                                        : random_directions(7, same, p);
+            const double turns = is_fixed(placement) ? same.uniform() : 0;
+            for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
+            CHECK(drawn == expected);
+        }
+    }
+}
+
 // With cos(theta), the weights are pi times 2, -1.6 and 0.5 if nothing is known.
 TEST_CASE("white brightness and noise gain are those of the weights in a picture") {
     const std::vector<Vec3> directions{{0, 1, 0}, {0.6, 0.8, 0}, {std::sqrt(0.75), 0.5, 0}};
