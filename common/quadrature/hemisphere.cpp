@@ -20,7 +20,7 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, Known density
 }
 
 std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known density) {
-    const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)) + 0.5);
+    const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)) / 2 + 0.5);
     const double turns = random.uniform();
     std::vector<Vec3> directions;
     for (std::size_t row = 1; row <= rows; ++row) {

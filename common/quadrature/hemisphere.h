@@ -21,9 +21,10 @@ inline double known_integral(Known known) { return known == Known::cosine ? port
 // probability c^2, gives the density cos(theta) / pi (Malley's method). u is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, Known p = Known::nothing);
 
-// n directions of this density from a random point in each of n cells of equal area, in about sqrt(n) rows of u. A row
-// is as high as its number of cells asks for, which differs by one at most (Cook, Porter & Carpenter, "Distributed ray
-// tracing", SIGGRAPH 1984). The cells are rotated about the up axis by a random angle, which is drawn first.
+// n directions of this density from a random point in each of n cells of equal area, in about sqrt(n) / 2 rows of u: so
+// cells are about as high as wide on the hemisphere. Rows differ by at most one cell, and are as high as their cells
+// ask for (Cook, Porter & Carpenter, "Distributed ray tracing", SIGGRAPH 1984). All are rotated about the up axis by a
+// random angle, which is drawn first.
 std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known p = Known::nothing);
 
 // n directions of this density on the spherical Fibonacci lattice: u = 1 - (i + 1/2) / n and azimuths of i golden
