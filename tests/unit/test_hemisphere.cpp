@@ -76,13 +76,13 @@ static double variance_of_equal_weights(const Covariance& covariance, const std:
 
 TEST_CASE(
     "equal weights have a smaller worst-case error on optimised directions than on a lattice, the same each time") {
-    for (const std::size_t n : {1u, 2u, 7u, 40u, 97u})
+    for (const auto& [n, most] : {std::pair(std::size_t{1}, 0.83), {2, 0.87}, {7, 0.875}, {40, 0.94}, {97, 0.955}})
         for (const Known p : {Known::nothing, Known::cosine}) {
             const auto covariance = covariance_of(CovarianceFamily::sobolev, 1.5, p);
             const std::vector<Vec3> directions = optimised_directions(n, p);
             const double v = variance_of_equal_weights(*covariance, directions);
             CAPTURE(n);
-            CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, p))) < 0.96);
+            CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, p))) < most);
             CHECK(directions.size() == n);
             for (const Vec3& d : directions) CHECK_MESSAGE((d.y > 0 && std::fabs(length(d) - 1) < few_roundings), d);
             CHECK(optimised_directions(n, p) == directions);
