@@ -10,8 +10,8 @@ static double absolute_error(double estimate, double truth) {
 // Adds to each integrand's row the error of Monte Carlo's estimate with these directions.
 // BEGIN SOLUTION table
 static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                          const DirectionSet& set) {
-    const QuadratureRule rule = monte_carlo_rule(set);
+                          const std::vector<Vec3>& directions, Known known) {
+    const QuadratureRule rule = monte_carlo_rule(directions, known);
     for (std::size_t i = 0; i < rows.size(); ++i)
         rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
 }
@@ -46,7 +46,7 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
     const auto directions_of = directions_of_estimates(settings, samples);
     for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done())
-        add_mc_errors(rows, integrands, {directions_of(e), density_of(settings.placement)});
+        add_mc_errors(rows, integrands, directions_of(e), density_of(settings.placement));
     const auto covariance = settings.make_covariance();
     try {
         for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done()) {

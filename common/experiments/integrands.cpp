@@ -24,7 +24,7 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
 }
 
 double reference_integral(const std::function<double(Vec3)>& f) {
-    return estimate(monte_carlo_rule({fibonacci_directions(1 << 18), Known::nothing}), f);
+    return estimate(monte_carlo_rule(fibonacci_directions(1 << 18)), f);
 }
 
 std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions, Known known) {

@@ -31,7 +31,7 @@ static ModelResults results_of(const ModelSettings& model, const std::vector<Int
     const auto directions_of = directions_of_estimates({}, samples);
     ModelResults all;
     for (std::size_t set = 0; set < sets; ++set) {
-        const QuadratureRule rule = monte_carlo_rule({directions_of(set)});
+        const QuadratureRule rule = monte_carlo_rule(directions_of(set));
         const GaussianProcess process(*covariance, model.noise, rule.directions);
         ModelResults means;
         for (const Integrand& integrand : integrands) {
@@ -52,7 +52,7 @@ static ModelResults results_of(const ModelSettings& model, const std::vector<Int
 // Incident luminance times cos(theta), shadows included, at random points that pixels of the sphere scene show. The
 // truth is a dense quadrature.
 static std::vector<Integrand> scene_integrands(const std::shared_ptr<const EnvironmentMap>& light) {
-    const QuadratureRule dense = monte_carlo_rule({fibonacci_directions(1 << 16)});
+    const QuadratureRule dense = monte_carlo_rule(fibonacci_directions(1 << 16));
     Random random(1, 0);
     std::vector<Integrand> integrands;
     while (integrands.size() < points) {

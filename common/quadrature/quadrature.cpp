@@ -26,10 +26,10 @@ Sampler sampler_of(Placement placement, std::size_t n) {
 }
 
 // BEGIN SOLUTION montecarlo
-QuadratureRule monte_carlo_rule(DirectionSet set) {
-    const std::size_t n = set.directions.size();
-    const double weight = known_integral(set.known) / static_cast<double>(n);
-    return {std::move(set.directions), std::vector<double>(n, weight), set.known};
+QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Known p) {
+    const std::size_t n = directions.size();
+    const double weight = known_integral(p) / static_cast<double>(n);
+    return {std::move(directions), std::vector<double>(n, weight), p};
 }
 // END SOLUTION
 

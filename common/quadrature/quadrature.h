@@ -41,12 +41,6 @@ inline bool is_fixed(Placement p) {
     return is_lattice(p) || p == Placement::optimised || p == Placement::cosine_optimised;
 }
 
-// Directions whose density is the known part p over its integral.
-struct DirectionSet {
-    std::vector<Vec3> directions;
-    Known known = Known::nothing;
-};
-
 // Draws a fresh set of n >= 1 directions. A fixed set is made once, here, and then rotated by random angles.
 using Sampler = std::function<std::vector<Vec3>(Random&)>;
 Sampler sampler_of(Placement placement, std::size_t n);
@@ -54,7 +48,7 @@ Sampler sampler_of(Placement placement, std::size_t n);
 // Monte Carlo: the estimate of the integral of f p is the mean of f p / density, which is f times the integral of p. So
 // the weights are equal: 2 pi / n for p = 1, and pi / n for p = cos(theta) (importance sampling). On a lattice this is
 // quasi-Monte Carlo.
-QuadratureRule monte_carlo_rule(DirectionSet set);
+QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Known p = Known::nothing);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess. Throws what GaussianProcess throws.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions);

@@ -35,7 +35,7 @@ SharedRules PixelRules::shared_rules() const {
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
     std::vector<Vec3> directions = sampler(random);
     return std::make_shared<QuadratureRule>(cosine_rule(
-        settings.method == Method::mc ? monte_carlo_rule({std::move(directions), density_of(settings.placement)})
+        settings.method == Method::mc ? monte_carlo_rule(std::move(directions), density_of(settings.placement))
                                       : bayesian_rule(*covariance, settings.noise, std::move(directions))));
 }
 

@@ -305,7 +305,7 @@ const Check monte_carlo_rule_check("monte_carlo_rule", [] {
         for (const std::size_t n : {3u, 1u, 41u, 100u}) {
             in = formatted(density == Known::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
             samples = static_cast<double>(n);
-            rule_values(monte_carlo_rule({directions_of(n), density}), upright, 1e-9, false);
+            rule_values(monte_carlo_rule(directions_of(n), density), upright, 1e-9, false);
         }
 });
 

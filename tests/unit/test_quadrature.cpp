@@ -35,7 +35,7 @@ TEST_CASE("white brightness and noise gain are those of the weights in a picture
         CHECK(relative(white_brightness(each), 0.9) < 1e-14);
         CHECK(relative(noise_gain(each), std::sqrt((4 + 2.56 + 0.25) * 9 / 4)) < 1e-14);
     }
-    const QuadratureRule lattice = monte_carlo_rule({fibonacci_directions(1000), Known::nothing});
+    const QuadratureRule lattice = monte_carlo_rule(fibonacci_directions(1000));
     CHECK(relative(white_brightness(lattice), 1) < 1e-14);  // cosines in equal steps
     CHECK(relative(noise_gain(lattice), 1) < 1e-6);
 }

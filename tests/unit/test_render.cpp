@@ -8,7 +8,7 @@ TEST_CASE("reflected light is (albedo / pi) sum of weight V L, to the last bit")
     for (const EnvironmentMap& map : {coloured_map(1, 1), coloured_map(7, 5), coloured_map(64, 33)})
         for (const std::size_t n : {1u, 2u, 7u, 64u, 301u}) {
             const QuadratureRule rule = n < 10 ? bayesian_rule(SobolevKnownCosine(), 0.1, some_directions(n))
-                                               : cosine_rule(monte_carlo_rule({some_directions(n)}));
+                                               : cosine_rule(monte_carlo_rule(some_directions(n)));
             INFO("n, map.width: ", n, ", ", map.width);
             std::map<Object, int> partly;
             for_each_hit(sphere_scene, {9, 9}, [&](int x, int y, const Hit& hit) {
