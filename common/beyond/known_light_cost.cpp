@@ -4,8 +4,8 @@ namespace bmc::beyond {
 static PictureCost picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
                                     Placement placement) {
     PictureCost compared = compared_picture(light.environment, method, pool, placement);
-    compared.settings.known = Known::cosine;
-    compared.known_word = "light";
+    compared.settings.known_part = KnownPart::cosine;
+    compared.known_column = "light";
     compared.image = [&light](const RenderSettings& settings) {
         return render(light.environment, settings, shader_of(light, settings));
     };
@@ -38,7 +38,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     std::vector<PictureCost> rows;
     for (const PictureCost& each : compared)
         for (const std::size_t n : {10u, 40u}) {
-            const EnvironmentLight& light_of_picture = each.known_word == std::string("light") ? light : unknown;
+            const EnvironmentLight& light_of_picture = each.known_column == std::string("light") ? light : unknown;
             RootMeanSquare predicted;
             Statistics covered;
             rows.push_back(measured_picture(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {

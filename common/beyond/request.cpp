@@ -20,10 +20,11 @@ void Request::add_options(Options& options) {
     PictureRequest::add_options(options);
     options.named("known") =
         choice("known", {"nothing", "cosine", "light"}, 0, known_remark, [this](std::size_t chosen) {
-            settings.known = chosen > 0 ? Known::cosine : Known::nothing;
-            light_known = chosen == 2;
+            settings.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
+            by_visibility = chosen == 2;
         });
-    options.make_idle({"known"}, "with --method mc", [this] { return settings.method == Method::mc && !light_known; });
+    options.make_idle({"known"}, "with --method mc",
+                      [this] { return settings.method == Method::mc && !by_visibility; });
     options.add("rmse", "X", "use as few samples as reach this predicted RMSE (instead of --samples)", rmse, 1e-9, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
     options.make_idle({"samples"}, "with --rmse", [this] { return rmse > 0; });
@@ -32,20 +33,20 @@ void Request::add_options(Options& options) {
 Image Request::image(const EnvironmentMap& map) const {
     Progress progress(std::size_t{2} + (rmse > 0) + (show == Show::error));  // pilots, rules, rows, a better picture
     RenderSettings chosen = settings;
-    const EnvironmentLight light(map, light_known, settings.threads);
+    const EnvironmentLight light(map, by_visibility, settings.threads);
     if (rmse > 0) {
         const Prediction found = samples_for(rmse, most_samples(), light, chosen);
         if (found.samples > static_cast<double>(most_samples()))
             throw std::runtime_error("--rmse: about " + two_digits(found.samples) + " samples would be needed" +
                                      formatted(", and %zu are the most allowed", most_samples()) +
-                                     (light_known ? "" : "; take --known light, with the default covariance"));
+                                     (by_visibility ? "" : "; take --known light, with the default covariance"));
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
         progress.done();
     }
-    if (!light_known && note_missed_light(map, chosen.samples)) print_note("note: --known light models this light");
+    if (!by_visibility && note_missed_light(map, chosen.samples)) print_note("note: --known light models this light");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    const Shader shader = light_known ? shader_of(light, chosen) : warned_shader(map, chosen);
+    const Shader shader = by_visibility ? shader_of(light, chosen) : warned_shader(map, chosen);
     progress.done();
     Image image = render(map, chosen, shader);
     if (show == Show::picture) return image;

@@ -10,7 +10,7 @@ enum class Show { picture, error };
 constexpr const char* show_names[] = {"picture", "error"};
 
 struct Request : PictureRequest {
-    bool light_known = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
+    bool by_visibility = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
     Show show = Show::picture;
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 

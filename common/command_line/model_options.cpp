@@ -9,8 +9,8 @@ void add_model_options(Options& options, ModelSettings& s) {
                 min_length_scale, max_length_scale);
     options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude (default 0.01)", s.noise,
                 0, 1000);
-    options.add(choice("known", {std::begin(known_names), std::end(known_names)}, 0, known_remark,
-                       [&s](std::size_t chosen) { s.known = static_cast<Known>(chosen); }));
+    options.add(choice("known", {std::begin(known_part_names), std::end(known_part_names)}, 0, known_remark,
+                       [&s](std::size_t chosen) { s.known_part = static_cast<KnownPart>(chosen); }));
     options.add("placement", placement_names, s.placement);
     options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
     const auto is_sobolev = [&s] { return s.covariance == CovarianceFamily::sobolev; };

@@ -117,11 +117,11 @@ std::string Belief::report() const {
     const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise, sampler_of(settings.placement, samples)(random));
-    const auto incident = [&](Vec3 w) { return luminance(view.light(w)) * known_part(covariance->known(), w); };
+    const auto incident = [&](Vec3 w) { return luminance(view.light(w)) * known_value(covariance->known_part(), w); };
     const auto square = [&](Vec3 w) { return luminance(view.light(w)) * incident(w); };
-    const std::vector<double> values = evaluate(incident, process.directions, covariance->known());
+    const std::vector<double> values = evaluate(incident, process.directions, covariance->known_part());
     print_estimate(process, values, reference_integral(incident),
-                   std::sqrt(reference_integral(square) / known_integral(covariance->known())));
+                   std::sqrt(reference_integral(square) / known_integral(covariance->known_part())));
     Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Colour>(samples)};
     const Matrix inverse = process.inverse_covariance();
     for (std::size_t j = 0; j < samples; ++j)

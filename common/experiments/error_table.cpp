@@ -10,8 +10,8 @@ static double absolute_error(double estimate, double truth) {
 // Adds to each integrand's row the error of Monte Carlo's estimate with these directions.
 // BEGIN SOLUTION table
 static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                          const std::vector<Vec3>& directions, Known known) {
-    const QuadratureRule rule = monte_carlo_rule(directions, known);
+                          const std::vector<Vec3>& directions, KnownPart p) {
+    const QuadratureRule rule = monte_carlo_rule(directions, p);
     for (std::size_t i = 0; i < rows.size(); ++i)
         rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
 }
@@ -21,9 +21,9 @@ static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integra
 // process predicts: a normal error of the standard deviation s has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
 static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                           const GaussianProcess& process, Known known) {
+                           const GaussianProcess& process, KnownPart p) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::vector<double> values = evaluate(integrands[i].value, process.directions, known);
+        const std::vector<double> values = evaluate(integrands[i].value, process.directions, p);
         rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
         rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
     }
@@ -50,7 +50,7 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     const auto covariance = settings.make_covariance();
     try {
         for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done()) {
-            add_bmc_errors(rows, integrands, {*covariance, settings.noise, directions_of(e)}, covariance->known());
+            add_bmc_errors(rows, integrands, {*covariance, settings.noise, directions_of(e)}, covariance->known_part());
         }
     } catch (const NotPositiveDefinite& error) {
         print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());

@@ -30,7 +30,7 @@ double reference_integral(const std::function<double(Vec3)>& f);
 
 // The unknown factor of f at each direction: its value divided by the known part.
 std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
-                             Known known = Known::nothing);
+                             KnownPart p = KnownPart::nothing);
 
 // The rule's estimate of the integral of f.
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f);

@@ -89,7 +89,7 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    return {settings, name_of(density_of(placement), known_names), [&light](const RenderSettings& each) {
+    return {settings, name_of(density_of(placement), known_part_names), [&light](const RenderSettings& each) {
                 return render(light, each, environment_shader(light, PixelRules(each)));
             }};
 }
@@ -142,7 +142,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
         text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10.4g",
                           name_of(s.method, method_names), s.pool, name_of(s.placement, placement_names),
-                          row.known_word, s.samples, rmse, row.rmse.standard_error(), row.correlation.mean,
+                          row.known_column, s.samples, rmse, row.rmse.standard_error(), row.correlation.mean,
                           row.brightness.value(), static_cast<double>(s.samples) * gain);
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,

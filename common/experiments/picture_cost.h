@@ -40,7 +40,7 @@ ImageError image_error(const Image& image, const Image& truth);
 // errors as seeds, not as pixels.
 struct PictureCost {
     RenderSettings settings;
-    const char* known_word;                             // what is known of the integrand
+    const char* known_column;                           // what is known of the integrand
     std::function<Image(const RenderSettings&)> image;  // by such settings
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
     Statistics correlation = {};

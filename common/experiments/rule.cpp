@@ -15,7 +15,7 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
 }
 
 // 17 digits are a double: whoever reads the directions that are printed here has these.
-static std::string weights_block(const GaussianProcess& process, Known known) {
+static std::string weights_block(const GaussianProcess& process, KnownPart p) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
     int negative = 0;
     double sum = 0;
@@ -26,19 +26,19 @@ static std::string weights_block(const GaussianProcess& process, Known known) {
         negative += weight < 0;
         sum += weight;
     }
-    const QuadratureRule rule{process.directions, process.weights, known};
-    const double integral = known_integral(known), ratio = sum / integral;
+    const QuadratureRule rule{process.directions, process.weights, p};
+    const double integral = known_integral(p), ratio = sum / integral;
     return text + formatted(
                       R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
 # rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). Negative weights: %d.
 # A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
 # of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 )",
-                      sum, known == Known::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
+                      sum, p == KnownPart::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
                       negative, white_brightness(rule), noise_gain(rule));
 }
 
-static std::string estimate_line(const GaussianProcess& process, Known known, const std::vector<double>& values) {
+static std::string estimate_line(const GaussianProcess& process, KnownPart p, const std::vector<double>& values) {
     const double estimate = process.integral(values), error = process.standard_error(values);
     const double amplitude = process.amplitude(values);
     if (!std::isfinite(estimate) || !std::isfinite(amplitude) || std::isinf(error))
@@ -49,7 +49,7 @@ static std::string estimate_line(const GaussianProcess& process, Known known, co
     if (std::isnan(error)) bar = "unknown: what is left of the variance may be rounding; more noise makes it larger";
     if (amplitude == 0) bar = "unknown: the values are 0, or too small to be squared";
     return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error ",
-                     known == Known::cosine ? " times cos(theta)" : "", estimate, amplitude) +
+                     p == KnownPart::cosine ? " times cos(theta)" : "", estimate, amplitude) +
            bar + '\n';
 }
 
@@ -131,8 +131,8 @@ std::string RuleReport::report() const {
     else
         given = read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);
-    std::string text = weights_block(process, covariance->known());
-    if (!given.values.empty()) text += estimate_line(process, covariance->known(), given.values);
+    std::string text = weights_block(process, covariance->known_part());
+    if (!given.values.empty()) text += estimate_line(process, covariance->known_part(), given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());

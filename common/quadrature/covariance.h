@@ -27,7 +27,7 @@ struct Covariance {
     // std::invalid_argument for a cosine outside of [0, 1].
     virtual double z(double cos_theta) const;
     virtual double zz() const;
-    virtual Known known() const { return Known::nothing; }  // p
+    virtual KnownPart known_part() const { return KnownPart::nothing; }  // p
 };
 
 // Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3. Its functions are continuous but
@@ -43,7 +43,7 @@ struct Sobolev : Covariance {
 struct SobolevKnownCosine final : Sobolev {
     double z(double cos_theta) const override { return sobolev_cosine_z(cos_theta); }
     double zz() const override { return sobolev_cosine_zz; }
-    Known known() const override { return Known::cosine; }
+    KnownPart known_part() const override { return KnownPart::cosine; }
 };
 
 // Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &

@@ -2,14 +2,14 @@
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
-static Vec3 direction_at(double u, double turns, Known density) {
-    const double cos_theta = density == Known::cosine ? std::sqrt(u) : u;
+static Vec3 direction_at(double u, double turns, KnownPart density) {
+    const double cos_theta = density == KnownPart::cosine ? std::sqrt(u) : u;
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
 
-std::vector<Vec3> random_directions(std::size_t n, Random& random, Known density) {
+std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart density) {
     std::vector<Vec3> directions(n);
     for (Vec3& direction : directions) {
         const double u = 1 - random.uniform();
@@ -19,7 +19,7 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, Known density
     return directions;
 }
 
-std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known density) {
+std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart density) {
     const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)) / 2 + 0.5);
     const double turns = random.uniform();
     std::vector<Vec3> directions;
@@ -35,7 +35,7 @@ std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known den
     return directions;
 }
 
-std::vector<Vec3> fibonacci_directions(std::size_t n, Known density) {
+std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart density) {
     constexpr double golden = 0.61803398874989484820;  // 1 / golden ratio: the golden angle in turns
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {

@@ -9,33 +9,33 @@
 
 namespace bmc {
 // What is known of a function of directions, its factor p: nothing, so that p is 1, or p = cos(theta).
-enum class Known { nothing, cosine };
-constexpr const char* known_names[] = {"nothing", "cosine"};
+enum class KnownPart { nothing, cosine };
+constexpr const char* known_part_names[] = {"nothing", "cosine"};
 
 // p(direction), and the integral of p over H.
-inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
-inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
+inline double known_value(KnownPart p, Vec3 direction) { return p == KnownPart::cosine ? direction.y : 1; }
+inline double known_integral(KnownPart p) { return p == KnownPart::cosine ? portable::pi : 2 * portable::pi; }
 
 // n independent directions whose density is p over its integral, from points (u, azimuth) of the unit square, u in (0,
 // 1]. cos(theta) = u gives the density 1 / (2 pi) (Archimedes). cos(theta) = sqrt(u), which is below c with the
 // probability c^2, gives the density cos(theta) / pi (Malley's method). u is drawn first, then the azimuth.
-std::vector<Vec3> random_directions(std::size_t n, Random& random, Known p = Known::nothing);
+std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
 
 // n directions of this density from a random point in each of n cells of equal area, in about sqrt(n) / 2 rows of u: so
 // cells are about as high as wide on the hemisphere. Rows differ by at most one cell, and are as high as their cells
 // ask for (Cook, Porter & Carpenter, "Distributed ray tracing", SIGGRAPH 1984). All are rotated about the up axis by a
 // random angle, which is drawn first.
-std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Known p = Known::nothing);
+std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
 
 // n directions of this density on the spherical Fibonacci lattice: u = 1 - (i + 1/2) / n and azimuths of i golden
 // angles (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination
 // integrals", Computer Graphics Forum 2013, eq. 2).
-std::vector<Vec3> fibonacci_directions(std::size_t n, Known p = Known::nothing);
+std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart p = KnownPart::nothing);
 
 // n directions on which equal weights w, the integral of p over n, have about the smallest worst-case error for the
 // covariance Sobolev 3/2 (covariance.h). Its square is V = zz - 2 w sum of z_i + w^2 sum of k(omega_i, omega_j). They
 // come from the lattice by a fixed stream of random moves, in a time that grows as n^2: 4096 take seconds.
-std::vector<Vec3> optimised_directions(std::size_t n, Known p = Known::nothing);
+std::vector<Vec3> optimised_directions(std::size_t n, KnownPart p = KnownPart::nothing);
 
 // The direction rotated about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);

@@ -11,7 +11,7 @@ static Sampler rotated(const std::vector<Vec3>& fixed) {
 }
 
 Sampler sampler_of(Placement placement, std::size_t n) {
-    const Known p = density_of(placement);
+    const KnownPart p = density_of(placement);
     switch (placement) {
         case Placement::uniform:
         case Placement::cosine: return [=](Random& random) { return random_directions(n, random, p); };
@@ -26,7 +26,7 @@ Sampler sampler_of(Placement placement, std::size_t n) {
 }
 
 // BEGIN SOLUTION montecarlo
-QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Known p) {
+QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, KnownPart p) {
     const std::size_t n = directions.size();
     const double weight = known_integral(p) / static_cast<double>(n);
     return {std::move(directions), std::vector<double>(n, weight), p};
@@ -35,12 +35,12 @@ QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Known p) {
 
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions) {
     const GaussianProcess process(covariance, noise, std::move(directions));
-    return {process.directions, process.weights, covariance.known()};
+    return {process.directions, process.weights, covariance.known_part()};
 }
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool in_closed_form = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
-    if (known.value_or(density_of(placement)) == Known::cosine) {
+    if (known_part.value_or(density_of(placement)) == KnownPart::cosine) {
         if (in_closed_form) return std::make_shared<SobolevKnownCosine>();
         throw std::invalid_argument(
             "the known part cosine, as of directions of that density, needs the covariance sobolev of smoothness 1.5");
@@ -55,9 +55,9 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
 
 // BEGIN SOLUTION shade
 QuadratureRule cosine_rule(QuadratureRule rule) {
-    if (rule.known == Known::nothing)
+    if (rule.known_part == KnownPart::nothing)
         for (std::size_t i = 0; i < rule.size(); ++i) rule.weights[i] *= rule.directions[i].y;
-    rule.known = Known::cosine;
+    rule.known_part = KnownPart::cosine;
     return rule;
 }
 // END SOLUTION
@@ -65,12 +65,12 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
 double stability_constant(const QuadratureRule& rule) {
     double sum = 0;
     for (const double weight : rule.weights) sum += std::fabs(weight);
-    return sum / known_integral(rule.known);
+    return sum / known_integral(rule.known_part);
 }
 
 // W_j. Not by cosine_rule, which students write: assignment 3.1 prints these numbers before that.
 static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
-    return rule.weights[j] * (rule.known == Known::cosine ? 1 : rule.directions[j].y);
+    return rule.weights[j] * (rule.known_part == KnownPart::cosine ? 1 : rule.directions[j].y);
 }
 
 double white_brightness(const QuadratureRule& rule) {

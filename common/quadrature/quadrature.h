@@ -15,7 +15,7 @@ namespace bmc {
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;
-    Known known = Known::nothing;
+    KnownPart known_part = KnownPart::nothing;
 
     std::size_t size() const { return weights.size(); }
 };
@@ -35,7 +35,7 @@ constexpr const char* placement_names[] = {"uniform", "stratified",        "fibo
                                            "cosine",  "cosine-stratified", "cosine-fibonacci", "cosine-optimised"};
 
 // The density is this known part over its integral. Lattices and optimised sets are fixed: the same each time.
-inline Known density_of(Placement p) { return p < Placement::cosine ? Known::nothing : Known::cosine; }
+inline KnownPart density_of(Placement p) { return p < Placement::cosine ? KnownPart::nothing : KnownPart::cosine; }
 inline bool is_lattice(Placement p) { return p == Placement::fibonacci || p == Placement::cosine_fibonacci; }
 inline bool is_fixed(Placement p) {
     return is_lattice(p) || p == Placement::optimised || p == Placement::cosine_optimised;
@@ -48,7 +48,7 @@ Sampler sampler_of(Placement placement, std::size_t n);
 // Monte Carlo: the estimate of the integral of f p is the mean of f p / density, which is f times the integral of p. So
 // the weights are equal: 2 pi / n for p = 1, and pi / n for p = cos(theta) (importance sampling). On a lattice this is
 // quasi-Monte Carlo.
-QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Known p = Known::nothing);
+QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, KnownPart p = KnownPart::nothing);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess. Throws what GaussianProcess throws.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions);
@@ -67,7 +67,7 @@ struct ModelSettings {
     double smoothness = 1.5;  // of sobolev
     double length_scale = 1;  // of any other family
     double noise = 0.01;
-    std::optional<Known> known = {};  // unless given, the density of the placement
+    std::optional<KnownPart> known_part = {};  // unless given, the density of the placement
     Placement placement = Placement::uniform;
     std::uint64_t seed = 1;
 

@@ -127,18 +127,18 @@ void for_each_model(Function f) {
         std::size_t n;
         double noise;
         CovarianceFamily family = sobolev;
-        Known known = Known::nothing;
+        KnownPart known_part = KnownPart::nothing;
         Placement placement = Placement::uniform;
         double smoothness = 1.5;
     } models[] = {{"Sobolev 1.5", 3, 0.3},
                   {"Sobolev 1.5", 1, 0.3},
                   {"squared exponential 0.4", 3, 0.3, smooth},
-                  {"Sobolev 1.4", 9, 0.05, sobolev, Known::nothing, Placement::cosine, 1.4},
-                  {"Sobolev 1.5 with the known part cosine", 8, 0.05, sobolev, Known::cosine},
+                  {"Sobolev 1.4", 9, 0.05, sobolev, KnownPart::nothing, Placement::cosine, 1.4},
+                  {"Sobolev 1.5 with the known part cosine", 8, 0.05, sobolev, KnownPart::cosine},
                   {"Sobolev 1.5", 100, 0.01}};  // no program takes more unless it is asked to
     for (const auto& each : models) {
         ErrorSettings model;
-        model.noise = each.noise, model.covariance = each.family, model.known = each.known, model.seed = seed;
+        model.noise = each.noise, model.covariance = each.family, model.known_part = each.known_part, model.seed = seed;
         model.placement = each.placement, model.smoothness = each.smoothness, model.length_scale = 0.4;
         in = formatted("%s, noise %g, n = %zu: ", each.words, each.noise, each.n);
         samples = static_cast<double>(each.n);
@@ -297,13 +297,13 @@ void rule_values(const QuadratureRule& rule, const Frame& frame, double toleranc
     for (std::size_t i = 0; i < rule.directions.size(); ++i)
         vector(formatted(&frame == &upright ? "direction %zu" : "in the world, direction %zu", i),
                frame.to_world(rule.directions[i]));
-    value("whether the known part is cosine (1) or nothing (0)", rule.known == Known::cosine, 0);
+    value("whether the known part is cosine (1) or nothing (0)", rule.known_part == KnownPart::cosine, 0);
 }
 
 const Check monte_carlo_rule_check("monte_carlo_rule", [] {
-    for (const Known density : {Known::nothing, Known::cosine})
+    for (const KnownPart density : {KnownPart::nothing, KnownPart::cosine})
         for (const std::size_t n : {3u, 1u, 41u, 100u}) {
-            in = formatted(density == Known::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
+            in = formatted(density == KnownPart::nothing ? "n = %zu: " : "n = %zu, density cos(theta) / pi: ", n);
             samples = static_cast<double>(n);
             rule_values(monte_carlo_rule(directions_of(n), density), upright, 1e-9, false);
         }
@@ -344,10 +344,10 @@ const Check bmc_errors("add_bmc_errors", [] { error_values(0, 5); });
 const Check cosine_rule_check("cosine_rule", [] {
     for (const std::size_t n : {3u, 1u, 41u, 100u}) {
         in = formatted("n = %zu: ", n), samples = static_cast<double>(n);
-        const QuadratureRule rule{directions_of(n), Numbers(n, 0.1 + 1 / samples), Known::nothing};
+        const QuadratureRule rule{directions_of(n), Numbers(n, 0.1 + 1 / samples), KnownPart::nothing};
         rule_values(cosine_rule(rule), upright, 1e-9);
         in += "of a rule whose known part is cosine, ";
-        numbers("weight", cosine_rule({rule.directions, rule.weights, Known::cosine}).weights, 1e-9);
+        numbers("weight", cosine_rule({rule.directions, rule.weights, KnownPart::cosine}).weights, 1e-9);
     }
 });
 
@@ -364,7 +364,7 @@ const Check reflected_radiance_check("reflected_radiance", [] {
         alone.point.y = 1e9;
         Frame frame(hit.normal);
         if (y % 2 == 0) frame.tangent = -1 * frame.tangent, frame.bitangent = -1 * frame.bitangent;  // half a turn
-        QuadratureRule rule{directions_of(x % 2 == 0 ? 9 : 100), {}, Known::cosine};
+        QuadratureRule rule{directions_of(x % 2 == 0 ? 9 : 100), {}, KnownPart::cosine};
         samples = static_cast<double>(rule.directions.size());
         for (const Vec3& w : rule.directions) rule.weights.push_back((1 + w.x) * random.uniform() - 0.2);
         QuadratureRule twice = rule;
@@ -417,7 +417,7 @@ RenderSettings settings_of(Method method, Placement placement, std::size_t n) {
     RenderSettings settings;
     settings.method = method, settings.placement = placement, settings.samples = n, settings.seed = seed;
     settings.noise = 0.05, settings.pool = n == 3 ? 20 : 7;
-    if (n == 20) settings.known = Known::cosine;
+    if (n == 20) settings.known_part = KnownPart::cosine;
     samples = static_cast<double>(n);
     return settings;
 }

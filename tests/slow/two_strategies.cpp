@@ -9,9 +9,9 @@ using namespace bmc;
 
 static std::vector<QuadratureRule> rules_of_set(std::size_t n, Random random) {
     std::vector<Vec3> set = random_directions(n / 2, random);
-    const std::vector<Vec3> others = random_directions(n / 2, random, Known::cosine);
+    const std::vector<Vec3> others = random_directions(n / 2, random, KnownPart::cosine);
     set.insert(set.end(), others.begin(), others.end());
-    QuadratureRule balance{set, {}, Known::cosine};  // cos(theta) over n times the mean of both densities
+    QuadratureRule balance{set, {}, KnownPart::cosine};  // cos(theta) over n times the mean of both densities
     for (const Vec3& w : set) balance.weights.push_back(4 * portable::pi * w.y / (double(n) * (1 + 2 * w.y)));
     return {balance, cosine_rule(bayesian_rule(Sobolev(), 0.01, set)), bayesian_rule(SobolevKnownCosine(), 0.01, set)};
 }

@@ -156,22 +156,22 @@ inline EnvironmentMap sunny_map() {  // dim, with a sun of 6 x 6 degrees
 
 // The covariance that the options of these names make.
 inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, double parameter,
-                                                       Known known = Known::nothing) {
+                                                       KnownPart p = KnownPart::nothing) {
     ModelSettings settings;
     settings.covariance = family;
     settings.smoothness = settings.length_scale = parameter;
-    settings.known = known;
+    settings.known_part = p;
     return settings.make_covariance();
 }
 
-inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = Placement::uniform,
-                                    Known known = Known::nothing) {
+inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12,
+                                    Placement placement = Placement::uniform, KnownPart p = KnownPart::nothing) {
     RenderSettings settings;
     settings.method = method;
     settings.samples = samples;
     settings.pool = 3;
     settings.width = settings.height = size;
     settings.placement = placement;
-    settings.known = known;
+    settings.known_part = p;
     return settings;
 }

@@ -46,10 +46,10 @@ TEST_CASE("z and zz agree with 20 digits of quadrature to 2e-15, or 1e-14 at l =
     );
     REQUIRE(rows.size() == 1 + 13);
     for (std::size_t row = 1; row < rows.size(); ++row) {
-        const Known known = rows[row][0] == "sobolev_cosine" ? Known::cosine : Known::nothing;
+        const KnownPart p = rows[row][0] == "sobolev_cosine" ? KnownPart::cosine : KnownPart::nothing;
         const double parameter = std::stod(rows[row][1]);
         const auto covariance =
-            covariance_of(rows[row][0] == "squared_exponential" ? squared_exponential : sobolev, parameter, known);
+            covariance_of(rows[row][0] == "squared_exponential" ? squared_exponential : sobolev, parameter, p);
         for (std::size_t i = 2; i < 2 + 12; ++i) {
             const double ours = rows[0][i] == "zz" ? covariance->zz() : covariance->z(std::stod(rows[0][i]));
             INFO(rows[row][0], " ", parameter, ": ", rows[0][i]);
@@ -68,6 +68,6 @@ TEST_CASE("parameters and known parts that a covariance cannot have are refused"
     for (const CovarianceFamily family : {sobolev, squared_exponential}) {
         for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})
             CHECK_THROWS_AS_MESSAGE(covariance_of(family, 1.4)->z(cosine), std::invalid_argument, cosine);
-        CHECK_THROWS_AS(covariance_of(family, 1.4, Known::cosine), std::invalid_argument);
+        CHECK_THROWS_AS(covariance_of(family, 1.4, KnownPart::cosine), std::invalid_argument);
     }
 }

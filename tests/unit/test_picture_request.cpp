@@ -21,14 +21,14 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture 
 }
 
 TEST_CASE("the known part is the density of the placement, unless it is given, before or after") {
-    const auto known_of = [](const std::vector<std::string>& words) {
+    const auto known_part_of = [](const std::vector<std::string>& words) {
         PictureRequest request;
         parse(words, request.options());
-        return request.settings.make_covariance()->known();
+        return request.settings.make_covariance()->known_part();
     };
-    CHECK(known_of({}) == Known::nothing);
-    CHECK(known_of({"--placement=cosine-stratified"}) == Known::cosine);
-    CHECK(known_of({"--placement=cosine", "--known=nothing"}) == Known::nothing);
-    CHECK(known_of({"--known=nothing", "--placement=cosine-fibonacci"}) == Known::nothing);
-    CHECK(known_of({"--known=cosine", "--placement=fibonacci"}) == Known::cosine);
+    CHECK(known_part_of({}) == KnownPart::nothing);
+    CHECK(known_part_of({"--placement=cosine-stratified"}) == KnownPart::cosine);
+    CHECK(known_part_of({"--placement=cosine", "--known=nothing"}) == KnownPart::nothing);
+    CHECK(known_part_of({"--known=nothing", "--placement=cosine-fibonacci"}) == KnownPart::nothing);
+    CHECK(known_part_of({"--known=cosine", "--placement=fibonacci"}) == KnownPart::cosine);
 }

@@ -92,10 +92,10 @@ TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
     EnvironmentMap lamp = even_map(64, 32, 1);
     for (int x = 20; x < 30; ++x) lamp.set(x, 8, {500, 500, 500});  // a kurtosis of 200
     RenderSettings settings = small_picture(Method::mc, 1, 260);
-    for (const bool light_known : {false, true}) {
-        CAPTURE(light_known);
-        const EnvironmentLight light(lamp, light_known, 1);
-        CHECK(samples_for(1e9, 4096, light, settings).rmse == pilot_rmse(light, settings, light_known ? 0 : 1e9));
+    for (const bool by_visibility : {false, true}) {
+        CAPTURE(by_visibility);
+        const EnvironmentLight light(lamp, by_visibility, 1);
+        CHECK(samples_for(1e9, 4096, light, settings).rmse == pilot_rmse(light, settings, by_visibility ? 0 : 1e9));
         CHECK(pilot_rmse(light, settings, 0) != pilot_rmse(light, settings, 1e9));
     }
 }

@@ -4,10 +4,10 @@
 TEST_CASE("a placement is what its name says; a fixed one draws the same directions each time but for a rotation") {
     for (std::size_t i = 0; i < std::size(placement_names); ++i) {
         const Placement placement = static_cast<Placement>(i);
-        const Known p = density_of(placement);
+        const KnownPart p = density_of(placement);
         const std::string name = placement_names[i];
         CAPTURE(name);
-        CHECK((p == Known::cosine) == contains(name, "cosine"));
+        CHECK((p == KnownPart::cosine) == contains(name, "cosine"));
         CHECK(is_lattice(placement) == contains(name, "fibonacci"));
         CHECK(is_fixed(placement) == (is_lattice(placement) || contains(name, "optimised")));
         Random random(1, 0), same(1, 0);
@@ -28,10 +28,10 @@ TEST_CASE("a placement is what its name says; a fixed one draws the same directi
 // With cos(theta), the weights are pi times 2, -1.6 and 0.5 if nothing is known.
 TEST_CASE("white brightness and noise gain are those of the weights in a picture") {
     const std::vector<Vec3> directions{{0, 1, 0}, {0.6, 0.8, 0}, {std::sqrt(0.75), 0.5, 0}};
-    const QuadratureRule rule{directions, {2 * pi, -2 * pi, pi}, Known::nothing},
-        cosine{directions, {2 * pi, -1.6 * pi, 0.5 * pi}, Known::cosine};
+    const QuadratureRule rule{directions, {2 * pi, -2 * pi, pi}, KnownPart::nothing},
+        cosine{directions, {2 * pi, -1.6 * pi, 0.5 * pi}, KnownPart::cosine};
     for (const QuadratureRule& each : {rule, cosine}) {
-        CAPTURE(each.known);
+        CAPTURE(each.known_part);
         CHECK(relative(white_brightness(each), 0.9) < 1e-14);
         CHECK(relative(noise_gain(each), std::sqrt((4 + 2.56 + 0.25) * 9 / 4)) < 1e-14);
     }

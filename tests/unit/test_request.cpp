@@ -8,8 +8,8 @@ TEST_CASE("of two known factors the last one counts") {
     Options options;
     request.add_options(options);
     parse({"--known=light", "--known=cosine"}, options);
-    CHECK(request.settings.known == Known::cosine);
-    CHECK(!request.light_known);
+    CHECK(request.settings.known_part == KnownPart::cosine);
+    CHECK(!request.by_visibility);
 }
 
 TEST_CASE("errors in a PFM are as predicted") {

@@ -16,7 +16,7 @@
 
 namespace bmc::beyond {
 // An environment, which must outlive it, and its averages, where it is to be known. Then the cosine is to be known,
-// too: the known part of the settings below is Known::cosine.
+// too: the known part of the settings below is KnownPart::cosine.
 struct EnvironmentLight {
     const EnvironmentMap& environment;
     std::shared_ptr<const PrefilteredEnvironment> averages;
