@@ -2,17 +2,19 @@
 
 #include <unistd.h>
 
-#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 
 namespace bmc {
-using Clock = std::chrono::steady_clock;
+static const auto program_start = std::chrono::steady_clock::now();
+static std::size_t open_phases = 0, shown_phases = 0;
+static int columns = 0;  // of the line that is shown
 
-static const Clock::time_point start = Clock::now();
-static Progress* innermost = nullptr;
-static int shown = 0;  // per cent, the most so far
+static double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 // A line can be written again, unless stderr is a file, or a terminal that cannot go back (TERM=dumb: an editor's).
 static bool can_go_back() {
@@ -21,31 +23,36 @@ static bool can_go_back() {
 }
 
 static void clear_line() {
-    if (shown > 0) std::fputs("\r     \r", stderr);
+    if (columns > 0) std::fprintf(stderr, "\r%*s\r", columns, "");
+    columns = 0;
 }
 
-Progress::Progress(std::size_t parts) : outer_(innermost), parts_(parts) { innermost = this; }
+// After Ctrl-C the shell's prompt begins a line of its own.
+static void end_line(int signal) {
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, "\n", 1);
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+Progress::Progress(const std::string& phase, std::size_t parts)
+    : inside_another_(open_phases++ > 0), phase_(phase), parts_(parts) {}
 
 Progress::~Progress() {
-    innermost = outer_;
-    if (!outer_) clear_line();
+    --open_phases;
+    if (!inside_another_) clear_line();
 }
 
 void Progress::done() {
     static std::mutex mutex;
     const std::lock_guard<std::mutex> lock(mutex);
-    if (Clock::now() - start < std::chrono::seconds(1)) {
-        --parts_;
-        return;
-    }
-    ++done_;
-    double fraction = 0;
-    for (const Progress* each = innermost; each; each = each->outer_)
-        fraction = (static_cast<double>(each->done_) + fraction) / static_cast<double>(each->parts_);
-    const int percent = static_cast<int>(100 * fraction);
-    if (percent <= shown || !can_go_back()) return;
-    shown = percent;
-    std::fprintf(stderr, "\r%d %%", shown);
+    const std::size_t percent = 100 * ++done_ / parts_;
+    if (inside_another_ || percent == percent_ || seconds_since(program_start) < 1 || !can_go_back()) return;
+    if (percent_ == 0) ++shown_phases;
+    percent_ = percent;
+    const double left = seconds_since(start_) / static_cast<double>(done_) * static_cast<double>(parts_ - done_);
+    clear_line();
+    columns = std::fprintf(stderr, "%zu. %s: %zu %%, %.0f s left", shown_phases, phase_.c_str(), percent, left);
+    std::signal(SIGINT, end_line);
 }
 
 // Nothing here allocates: the problem may be a lack of memory.

@@ -1,7 +1,8 @@
 // What a person sees on standard error: notes, and how far a long calculation is.
 #pragma once
 
-#include <cstddef>
+#include <chrono>
+#include <string>
 #include <string_view>
 
 namespace bmc {
@@ -10,16 +11,20 @@ namespace bmc {
 inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 
-// The parts of a long calculation that are done. A calculation inside another one is inside a part of that. From the
-// second second of the program on a terminal shows "43 %" (standard error) of what was left then. It never goes back.
+// A phase of a long calculation, which consists of equal parts. From the second second of the program on, a terminal
+// shows "2. picture: 43 %, 12 s left" until the phase ends; the number counts the phases that were shown. A phase inside
+// another one is a part of it, and shows nothing itself.
 class Progress {
 public:
-    explicit Progress(std::size_t parts);
+    Progress(const std::string& phase, std::size_t parts);
     ~Progress();
     void done();  // one part more; any thread may call this
 
 private:
-    Progress* const outer_;
-    std::size_t parts_, done_ = 0;
+    const bool inside_another_;
+    const std::string phase_;
+    const std::size_t parts_;
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::size_t done_ = 0, percent_ = 0;
 };
 }  // namespace bmc

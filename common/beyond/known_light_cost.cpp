@@ -32,9 +32,8 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
                                             picture_of_known(light, Method::pool, 20, Placement::uniform),
                                             picture_of_known(light, Method::mc, 1, Placement::cosine_fibonacci),
                                             picture_of_known(light, Method::pool, 20, Placement::cosine_fibonacci)};
-    Progress progress(1 + 2 * compared.size());
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
-    progress.done();
+    Progress progress("rows", 2 * compared.size());
     std::vector<PictureCost> rows;
     for (const PictureCost& each : compared)
         for (const std::size_t n : {10u, 40u}) {

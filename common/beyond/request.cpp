@@ -31,7 +31,6 @@ void Request::add_options(Options& options) {
 }
 
 Image Request::image(const EnvironmentMap& map) const {
-    Progress progress(std::size_t{2} + (rmse > 0) + (show == Show::error));  // pilots, rules, rows, a better picture
     RenderSettings chosen = settings;
     const EnvironmentLight light(map, by_visibility, settings.threads);
     if (rmse > 0) {
@@ -42,15 +41,11 @@ Image Request::image(const EnvironmentMap& map) const {
                                      (by_visibility ? "" : "; take --known light, with the default covariance"));
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
-        progress.done();
     }
     if (!by_visibility && note_missed_light(map, chosen.samples)) print_note("note: --known light models this light");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    const Shader shader = by_visibility ? shader_of(light, chosen) : warned_shader(map, chosen);
-    progress.done();
-    Image image = render(map, chosen, shader);
+    Image image = render(map, chosen, by_visibility ? shader_of(light, chosen) : warned_shader(map, chosen));
     if (show == Show::picture) return image;
-    progress.done();
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);

@@ -72,7 +72,7 @@ static Colour disc_colour(int number, double u, double v, const View& view, cons
 
 static Image discs(const View& view, const Posterior& posterior) {
     Image image(4 * disc, disc);
-    Progress progress(disc);
+    Progress progress("discs", disc);
     for_each_row(disc, processors(), [&](int y) {
         for (int i = 0; i < subpixels * subpixels * image.width; ++i) {
             const int x = i / (subpixels * subpixels), part = i % (subpixels * subpixels);

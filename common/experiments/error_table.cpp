@@ -42,7 +42,7 @@ static std::string mean_cells(const Statistics& errors, int width) {
 
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings) {
-    Progress progress(settings.mc_estimates + settings.bmc_estimates);
+    Progress progress(formatted("estimates from %zu samples", samples), settings.mc_estimates + settings.bmc_estimates);
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
     const auto directions_of = directions_of_estimates(settings, samples);
     for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done())
@@ -84,11 +84,9 @@ std::string ErrorTables::report() const {
     const std::vector<Integrand> integrands = practice_integrands(integrand);
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
-    Progress progress(settings.samples.size());
     for (const std::size_t n : settings.samples) {
         const std::vector<ErrorRow> rows = error_rows(integrands, n, settings);
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
-        progress.done();
     }
     for (std::size_t i = 0; i < tables.size(); ++i)
         text += (i == 0 ? "" : "\n\n") + error_report(integrands[i], tables[i], settings.placement);

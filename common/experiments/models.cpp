@@ -93,7 +93,7 @@ std::string ModelsReport::report() const {
     double evidence_of_default = 0;
     RootMeanSquare mc;
     const std::vector<ModelSettings> models = all_models();
-    Progress progress(models.size());
+    Progress progress("models", models.size());
     for (const ModelSettings& model : models) {
         const ModelResults v = results_of(model, integrands, samples);
         mc = v.monte_carlo;

@@ -46,12 +46,8 @@ void PictureReport::add_options(Options& options) {
 
 std::string PictureReport::report() const {
     const std::vector<std::string> names = environment.empty() ? light_names() : std::vector{environment};
-    Progress progress(names.size());
     std::string text;
-    for (const std::string& name : names) {
-        text += (text.empty() ? "" : "\n\n") + table(name, load_environment(name));
-        progress.done();
-    }
+    for (const std::string& name : names) text += (text.empty() ? "" : "\n\n") + table(name, load_environment(name));
     return text;
 }
 

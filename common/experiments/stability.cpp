@@ -108,7 +108,7 @@ std::string StabilityReport::report() const {
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
 )";
     const std::vector<Setting> all = settings();
-    Progress progress(all.size() * std::size(noises));
+    Progress progress("rules", all.size() * std::size(noises));
     for (const auto& [set, samples, family, parameter] : all) {
         const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
         text += formatted("  %-11s %7zu %-19s %9g ", name_of(set, sample_set_names), samples,

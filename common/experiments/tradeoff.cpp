@@ -87,9 +87,8 @@ std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_r
 std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
     const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
     const std::vector<PictureCost> compared = compared_pictures(light);
-    Progress progress(1 + compared.size() * samples.size());
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
-    progress.done();
+    Progress progress("rows", compared.size() * samples.size());
     std::vector<PictureCost> rows;
     for (const PictureCost& each : compared)
         for (const std::size_t n : samples) {

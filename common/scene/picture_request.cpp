@@ -42,10 +42,7 @@ std::string PictureRequest::report() const {
 
 Image PictureRequest::image(const EnvironmentMap& light) const {
     note_missed_light(light, settings.samples);
-    Progress progress(2);  // the rules, and the rows
-    const Shader shader = warned_shader(light, settings);
-    progress.done();
-    return render(light, settings, shader);
+    return render(light, settings, warned_shader(light, settings));
 }
 
 std::size_t PictureRequest::most_samples() const {

@@ -22,7 +22,7 @@ std::size_t shared_count(const RenderSettings& settings) {
 // BEGIN SOLUTION shared_rules
 SharedRules PixelRules::shared_rules() const {
     SharedRules rules;
-    Progress progress(shared_count(settings));
+    Progress progress("rules", shared_count(settings));
     for (std::size_t i = 0; i < shared_count(settings); ++i) {
         Random random = rule_stream(settings, i);
         rules.push_back(fresh_rule(random));

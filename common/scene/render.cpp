@@ -31,7 +31,7 @@ Shader environment_shader(const EnvironmentMap& environment, const PixelRules& r
 Image render(const EnvironmentMap& background, const RenderSettings& settings, const Shader& shade) {
     Image image(settings.width, settings.height);
     const Camera camera{settings.width, settings.height};
-    Progress progress(static_cast<std::size_t>(settings.height));
+    Progress progress("picture", static_cast<std::size_t>(settings.height));
     for_each_row(settings.height, settings.threads, [&](int y) {
         for (int x = 0; x < settings.width; ++x) {
             const Ray ray = camera.ray(x, y);

@@ -91,7 +91,7 @@ double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings,
     const Shader better = better_shader(light, settings);
     const std::vector<PilotPixel> pixels = pilot_pixels(settings, rays);
     std::vector<double> squares(pixels.size());
-    Progress progress(pixels.size());
+    Progress progress(formatted("pilot of %zu samples", settings.samples), pixels.size());
     for_each_row(static_cast<int>(pixels.size()), settings.threads, [&](int i) {
         const auto& [x, y, hit] = pixels[static_cast<std::size_t>(i)];
         squares[static_cast<std::size_t>(i)] = squared_distance(picture(hit, x, y), better(hit, x, y));
