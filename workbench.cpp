@@ -25,14 +25,14 @@ static std::string run(int argc, char** argv) {
         {"tradeoff", "what accuracy costs", std::make_shared<TradeoffReport>()},
         {"models", "covariances and noise compared", std::make_shared<ModelsReport>()},
         {"stability", "where the arithmetic breaks", std::make_shared<StabilityReport>()}};
-    for (const Command& each : beyond::commands()) commands.push_back(each);
+    for (const Command& command : beyond::commands()) commands.push_back(command);
     const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";
     std::string names, usages;
-    for (const Command& each : commands) {
-        if (!name.empty() && each.name == name)
-            return run_command(each, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
-        names += (names.empty() ? "" : ", ") + each.name;
-        usages += formatted("       ./workbench %-22s", each.name.c_str()) + each.summary + '\n';
+    for (const Command& command : commands) {
+        if (!name.empty() && command.name == name)
+            return run_command(command, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
+        names += (names.empty() ? "" : ", ") + command.name;
+        usages += formatted("       ./workbench %-22s", command.name.c_str()) + command.summary + '\n';
     }
     if (argc < 2 || *argv[1] == '-')
         return run_command(commands[0],

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cctype>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -57,19 +58,9 @@ void Progress::done() {
 
 // Nothing here allocates: the problem may be a lack of memory.
 void print_note(std::string_view text) {
-    constexpr std::size_t most = 300;  // at either end
-    char line[2 * most + 8];
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text.size() > 2 * most && i == most) {
-            for (const char* dots = " ... "; *dots; ++dots) line[count++] = *dots;
-            i = text.size() - most;
-        }
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool is_control = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
-        line[count++] = byte < ' ' || byte == 0x7f || is_control ? '?' : text[i];
-    }
     clear_line();
-    std::fprintf(stderr, "%s: %.*s\n", program_name, static_cast<int>(count), line);
+    std::fprintf(stderr, "%s: ", program_name);
+    for (const char c : text) std::fputc(std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c, stderr);
+    std::fputc('\n', stderr);
 }
 }  // namespace bmc

@@ -6,8 +6,8 @@
 #include <string_view>
 
 namespace bmc {
-// Prints a line on stderr, which begins with the program's name. Control characters become question marks, and of a
-// long text the middle is left out: it may quote options and files.
+// Prints a line on stderr, which begins with the program's name. Control characters become question marks: it may quote
+// options and files.
 inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 

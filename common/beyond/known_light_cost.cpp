@@ -35,12 +35,12 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
     Progress progress("rows", 2 * compared.size());
     std::vector<PictureCost> rows;
-    for (const PictureCost& each : compared)
+    for (const PictureCost& picture : compared)
         for (const std::size_t n : {10u, 40u}) {
-            const EnvironmentLight& light_of_picture = each.known_column == std::string("light") ? light : unknown;
+            const EnvironmentLight& light_of_picture = picture.known_column == std::string("light") ? light : unknown;
             RootMeanSquare predicted;
             Statistics covered;
-            rows.push_back(measured_picture(each, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
+            rows.push_back(measured_picture(picture, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
                 const Image errors = predicted_errors(image, render(map, s, better_shader(light_of_picture, s)));
                 predicted.add(root_mean_square(errors));
                 covered.add(coverage(image, truth, errors));

@@ -20,8 +20,8 @@ static void write_all(const std::string& output) {
 }
 
 Option& Options::named(const std::string& name) {
-    for (Option& each : all)
-        if (each.name == name) return each;
+    for (Option& option : all)
+        if (option.name == name) return option;
     throw std::logic_error("there is no option " + name);
 }
 
@@ -50,9 +50,9 @@ static void apply(const Option& option, int found, const std::string& value, boo
 
 std::set<std::string> parse_options(int argc, char** argv, const Options& options) {
     constexpr int first = 256;  // above all letters
-    std::vector<option> table;
-    for (const Option& each : options.all)
-        table.push_back({each.name.c_str(), each.argument.empty() ? no_argument : required_argument, nullptr,
+    std::vector<::option> table;
+    for (const Option& option : options.all)
+        table.push_back({option.name.c_str(), option.argument.empty() ? no_argument : required_argument, nullptr,
                          first + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
@@ -73,8 +73,9 @@ std::set<std::string> parse_options(int argc, char** argv, const Options& option
 
 std::string describe(const Options& options) {
     std::string text;
-    for (const Option& each : options.all) {
-        std::string line = formatted("  %-20s ", ("--" + each.name + ' ' + each.argument).c_str()) + each.description;
+    for (const Option& option : options.all) {
+        const std::string words = "--" + option.name + ' ' + option.argument;
+        std::string line = formatted("  %-20s ", words.c_str()) + option.description;
         if (line.size() > 100) line.replace(line.rfind(' ', 100), 1, formatted("\n%23s", ""));
         text += line + '\n';
     }
@@ -91,9 +92,10 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);
-    for (const Option& each : options.all)
-        for (const auto& [with, holds] : each.idle)
-            if (given.count(each.name) > 0 && holds()) print_note("note: --" + each.name + " changes nothing " + with);
+    for (const Option& option : options.all)
+        for (const auto& [with, holds] : option.idle)
+            if (given.count(option.name) > 0 && holds())
+                print_note("note: --" + option.name + " changes nothing " + with);
     return command.experiment->report();
 }
 

@@ -90,9 +90,9 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
     Progress progress("rows", compared.size() * samples.size());
     std::vector<PictureCost> rows;
-    for (const PictureCost& each : compared)
+    for (const PictureCost& picture : compared)
         for (const std::size_t n : samples) {
-            rows.push_back(measured_picture(each, n, costs, truth));
+            rows.push_back(measured_picture(picture, n, costs, truth));
             progress.done();
         }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +

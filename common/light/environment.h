@@ -10,28 +10,26 @@
 #include <iosfwd>
 
 namespace bmc {
-// Where directions fall on a map of this many columns and rows.
-struct TexelGrid {
-    const int width, height;
-
-    // u (W - 1) and v (H - 1), with their fractions.
-    double column(double x, double z) const {
-        return (0.5 + 0.5 / portable::pi * portable::azimuth(x, z)) * (width - 1);
-    }
-    double row(double y) const { return 1 / portable::pi * portable::arccosine(y) * (height - 1); }
-};
-
-class EnvironmentMap : public TexelGrid {
+class EnvironmentMap {
 public:
     static constexpr int max_texels = 1 << 26;
+    const int width, height;
 
     // Black, with 1 to max_texels texels, to be filled with linear RGB radiances, finite and >= 0; row 0 at the top.
     EnvironmentMap(int columns, int rows)
-        : TexelGrid{columns, rows}, rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+        : width(columns),
+          height(rows),
+          rgb_(3 + 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
     void set(int x, int y, Colour radiance) {
         float* rgb = &rgb_[3 * static_cast<std::size_t>(index(x, y))];
         for (const double channel : {radiance.x, radiance.y, radiance.z}) *rgb++ = static_cast<float>(channel);
     }
+
+    // Where a direction falls: u (W - 1) and v (H - 1), with their fractions.
+    double column(double x, double z) const {
+        return (0.5 + 0.5 / portable::pi * portable::azimuth(x, z)) * (width - 1);
+    }
+    double row(double y) const { return 1 / portable::pi * portable::arccosine(y) * (height - 1); }
 
     // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the
     // shadow.

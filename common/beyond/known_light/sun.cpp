@@ -33,7 +33,7 @@ Sun::Sun(const EnvironmentMap& map, double threshold)
 Sun::Ray Sun::ray(double across, double down) const {
     const double before = across * light();
     const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
-                                        [](double light, const Texel& each) { return light < each.light; });
+                                        [](double light, const Texel& later) { return light < later.light; });
     const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
     const double top = whole_.polar(texel->row).cosine, bottom = whole_.polar(texel->row + 1).cosine;
     const double cosine = top + down * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
@@ -43,7 +43,7 @@ Sun::Ray Sun::ray(double across, double down) const {
 
 Colour Sun::irradiance(Vec3 normal) const {
     Colour sum;
-    for (const Ray& each : rays_) sum += std::max(0.0, dot(normal, each.direction)) * each.colour;
+    for (const Ray& ray : rays_) sum += std::max(0.0, dot(normal, ray.direction)) * ray.colour;
     return sum;
 }
 
