@@ -30,9 +30,9 @@ static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integr
 }
 // END SOLUTION
 
-// Four digits, or - for what is not finite.
+// Four digits, or nan for what is not finite: printf would print some as -nan.
 static std::string cell(int width, double number) {
-    return formatted("%*s", width, std::isfinite(number) ? formatted("%.4g", number).c_str() : "-");
+    return formatted("%*s", width, std::isfinite(number) ? formatted("%.4g", number).c_str() : "nan");
 }
 
 static std::string mean_cells(const Statistics& errors, int width) {

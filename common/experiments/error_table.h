@@ -32,7 +32,7 @@ struct ErrorRow {
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings);
 
-// A line for each row; - stands for what has no meaning, such as the equivalent random samples of a placement that is
+// A line for each row; nan stands for what has no meaning, such as the equivalent random samples of a placement that is
 // not random.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
 

@@ -103,10 +103,10 @@ std::string ModelsReport::report() const {
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
         text += formatted("%-21s %9g %6g %10.4g %10.2g %6s %9.1f\n", name_of(model.covariance, covariance_names),
                           parameter, model.noise, v.error.value(), v.error.standard_error(),
-                          std::isfinite(ratio) ? formatted("%.2f", ratio).c_str() : "-",
+                          std::isfinite(ratio) ? formatted("%.2f", ratio).c_str() : "nan",
                           v.evidence.mean - evidence_of_default);
     }
-    return text + formatted("%-21s %9s %6s %10.4g %10.2g %6s %9s\n", "monte-carlo", "-", "-", mc.value(),
-                            mc.standard_error(), "-", "-");
+    return text + formatted("%-21s %9s %6s %10.4g %10.2g %6s %9s\n", "monte-carlo", "nan", "nan", mc.value(),
+                            mc.standard_error(), "nan", "nan");
 }
 }  // namespace bmc

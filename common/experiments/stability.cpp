@@ -102,7 +102,7 @@ std::string StabilityReport::report() const {
     std::string text =
         R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
 # directions are rotated about the up axis, and covariance and squared noise are three times as large, which
-# must not change a weight (-: no factor of the matrix). Then the stability constant S: Monte Carlo has 1; above 2,
+# must not change a weight (nan: no factor of the matrix). Then the stability constant S: Monte Carlo has 1; above 2,
 # pictures are usually worse than Monte Carlo's.
 #                                                   digits at a noise of               S at a noise of
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
@@ -117,9 +117,9 @@ std::string StabilityReport::report() const {
         for (std::size_t i = 0; i < std::size(noises); ++i) {
             const auto stability = stability_of(sample_set(set, samples), *covariance, noises[i]);
             progress.done();
-            text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "    -";
+            text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "  nan";
             if (i == 1 || i == 3 || i == 6)
-                constants += stability ? formatted(" %8.3g", stability->constant) : "        -";
+                constants += stability ? formatted(" %8.3g", stability->constant) : "      nan";
         }
         text += constants + '\n';
     }

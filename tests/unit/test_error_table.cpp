@@ -13,19 +13,19 @@ TEST_CASE("an error of rounding counts as none, a larger one counts, however sma
     }
 }
 
-TEST_CASE("a line of the table has four digits, and - for what has no meaning") {
+TEST_CASE("a line of the table has four digits, and nan for what has no meaning") {
     ErrorRow row{10};
     for (const double error : {0.123456, 0.223456}) row.mc.add(error);
     const auto check = [&](Placement placement, const std::string& line) {
         CHECK(rows_of(error_report(cosine_integrand, {row}, placement)) == rows_of(line));
     };
-    check(Placement::uniform, "10 0.1735 0.05 - - - - -");
+    check(Placement::uniform, "10 0.1735 0.05 nan nan nan nan nan");
     row.bmc.add(0.0867280);
     row.predicted.add(0.01);
-    check(Placement::cosine, "10 0.1735 0.05 0.08673 - 0.01 2 40");
-    check(Placement::stratified, "10 0.1735 0.05 0.08673 - 0.01 2 -");
+    check(Placement::cosine, "10 0.1735 0.05 0.08673 nan 0.01 2 40");
+    check(Placement::stratified, "10 0.1735 0.05 0.08673 nan 0.01 2 nan");
     row.bmc.add(0.0867280 * (1 + 1e-14));  // which differ by rounding
-    check(Placement::cosine_fibonacci, "10 0.1735 0.05 0.08673 0 0.01 2 -");
+    check(Placement::cosine_fibonacci, "10 0.1735 0.05 0.08673 0 0.01 2 nan");
 }
 
 TEST_CASE("a list of samples is numbers from 1 to 4096 between commas") {
