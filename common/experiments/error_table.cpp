@@ -45,12 +45,16 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     Progress progress(formatted("estimates from %zu samples", samples), settings.mc_estimates + settings.bmc_estimates);
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
     const auto directions_of = directions_of_estimates(settings, samples);
-    for (std::size_t e = 0; e < settings.mc_estimates; ++e, progress.done())
+    for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
         add_mc_errors(rows, integrands, directions_of(e), density_of(settings.placement));
+        progress.done();
+    }
     const auto covariance = settings.make_covariance();
     try {
-        for (std::size_t e = 0; e < settings.bmc_estimates; ++e, progress.done()) {
-            add_bmc_errors(rows, integrands, {*covariance, settings.noise, directions_of(e)}, covariance->known_part());
+        for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
+            const GaussianProcess process(*covariance, settings.noise, directions_of(e));
+            add_bmc_errors(rows, integrands, process, covariance->known_part());
+            progress.done();
         }
     } catch (const NotPositiveDefinite& error) {
         print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());

@@ -38,7 +38,7 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 
 // What the workbench prints without a command: the tables of the practice's integrands.
 struct ErrorTables : Experiment {
-    PracticeIntegrand integrand = PracticeIntegrand::all;
+    std::size_t integrand = 0;  // its place in practice_integrand_names
     ErrorSettings settings;
 
     void add_options(Options& options) override;

@@ -85,9 +85,8 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    return {settings, name_of(density_of(placement), known_part_names), [&light](const RenderSettings& s) {
-                return render(light, s, environment_shader(light, PixelRules(s)));
-            }};
+    return {settings, name_of(density_of(placement), known_part_names),
+            [&light](const RenderSettings& s) { return render(light, s, environment_shader(light, PixelRules(s))); }};
 }
 
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {

@@ -42,8 +42,7 @@ static std::string estimate_line(const GaussianProcess& process, KnownPart p, co
     const double estimate = process.integral(values), error = process.standard_error(values);
     const double amplitude = process.amplitude(values);
     if (!std::isfinite(estimate) || !std::isfinite(amplitude) || std::isinf(error))
-        throw std::runtime_error(
-            "the values are too large: a sum exceeds the largest number, 1.8e308; scale them down");
+        throw std::runtime_error("the values are too large for their squares; divide all by one number");
     std::string bar = formatted("%.6g", error) +
                       "\n# It knows what the samples have seen; a lamp that none of them met is not in it.";
     if (std::isnan(error)) bar = "unknown: what is left of the variance may be rounding; more noise makes it larger";

@@ -16,6 +16,7 @@ public:
     const int width, height;
 
     // Black, with 1 to max_texels texels, to be filled with linear RGB radiances, finite and >= 0; row 0 at the top.
+    // One more texel, number 0, belongs to no direction: it stays black, for rays in the shadow.
     EnvironmentMap(int columns, int rows)
         : width(columns),
           height(rows),
@@ -31,8 +32,7 @@ public:
     }
     double row(double y) const { return 1 / portable::pi * portable::arccosine(y) * (height - 1); }
 
-    // The number of the texel in column x of row y. Texel 0 belongs to no direction: it is black, for rays in the
-    // shadow.
+    // The number of the texel in column x of row y.
     int index(int x, int y) const { return 1 + y * width + x; }
     Colour colour(int i) const {
         const float* rgb = &rgb_[3 * static_cast<std::size_t>(i)];

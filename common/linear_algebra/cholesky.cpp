@@ -4,7 +4,7 @@
 
 namespace bmc {
 // A pivot is a_mm minus m products. If it is smaller than m + 1 rounding errors of a_mm, it may be rounding error
-// alone.
+// alone. The comparison refuses nan as well.
 double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot) {
     const double least = static_cast<double>(m + 1) * DBL_EPSILON * std::fabs(diagonal[m]);
     if (!(pivot > least))
@@ -16,8 +16,8 @@ double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double 
 }
 
 // BEGIN SOLUTION inverse
-// As soon as row m of U is known, its products u_mi u_mj are subtracted from all rows i below: each row has then had
-// its sum subtracted when its turn comes. The innermost loop runs along a row. U takes the place of A.
+// As soon as row m of U is known, its products u_mi u_mj are subtracted from all rows i below. So when the turn of row
+// i comes, it holds what is left of A. The innermost loop runs along a row. U takes the place of A.
 static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
     const std::size_t n = a.rows;
     Matrix u = std::move(a);
@@ -55,7 +55,7 @@ std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const 
 
 std::vector<double> Cholesky::solve(std::vector<double> b) const {
     std::vector<double> x = forward_substitution(std::move(b));
-    for (std::size_t m = size(); m-- > 0;) {  // from the last row up
+    for (std::size_t m = size(); m-- > 0;) {  // from the last row up; an unsigned m >= 0 would never end
         for (std::size_t j = size() - 1; j > m; --j) x[m] -= upper(m, j) * x[j];
         x[m] /= upper(m, m);
     }

@@ -1,8 +1,8 @@
 // The Cholesky factorisation A = U^T U of a symmetric positive definite matrix into an upper triangular factor U (Golub
 // & Van Loan, "Matrix Computations", section 4.2). Row m of U follows from the rows above it:
 //     u_mm = sqrt(a_mm - sum over i < m of u_im^2),   u_mj = (a_mj - sum over i < m of u_im u_ij) / u_mm for j > m
-// A x = b is then solved by two triangular systems: U^T y = b from the first row down, and U x = y from the last row
-// up.
+// A x = b is then solved by two triangular systems: U^T g = b from the first row down, and U x = g from the last row
+// up. For Bayesian weights A is Q, b is z and x is w.
 #pragma once
 
 #include "linear_algebra/matrix.h"
@@ -28,7 +28,7 @@ struct Cholesky {
 
     std::size_t size() const { return upper.rows; }
 
-    // y with U^T y = b, so that |y|^2 = b^T A^-1 b. b has n elements.
+    // g with U^T g = b, so that |g|^2 = b^T A^-1 b. b has n elements.
     std::vector<double> forward_substitution(std::vector<double> b) const;
 
     // x with A x = b. b has n elements.

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+// Nobody has to follow these formulas to use them: a test compares each with its definition, to 20 digits.
 namespace bmc {
 using portable::pi;
 

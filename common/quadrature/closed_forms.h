@@ -19,9 +19,10 @@ struct PolarAngle {
     explicit PolarAngle(double c) : sigma(std::sqrt(squared_sine(c))), q(std::max(c / (1 + sigma), 0x1p-60)) {}
 };
 
-// The integral of f(tan^2(E / 2)) over E from 0 to pi. Substitute t = tan(E / 2) = e^v: then dE = 2 t / (1 + t^2) dv =
-// dv / cosh v. The integrand falls like e^-|v|, so outside of |v| <= 38 it is below rounding, and inside the
-// trapezoidal rule is exact to rounding: for such smooth functions it converges exponentially.
+// The integral of f(tan^2(E / 2)) over E from 0 to pi; f takes the square so that it needs no root. Substitute
+// t = tan(E / 2) = e^v: then dE = 2 t / (1 + t^2) dv = dv / cosh v. The integrand falls like e^-|v|, so outside of
+// |v| <= 38 it is below rounding, and inside the trapezoidal rule is exact to rounding: for such smooth functions it
+// converges exponentially.
 template <class Function>
 double integral_over_angles(double step, Function f) {
     double sum = 0;

@@ -31,7 +31,7 @@ struct Covariance {
 };
 
 // Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3. Its functions are continuous but
-// rough, as light with sharp edges is.
+// rough. Light has edges, which no continuous prior has; a rough one is less wrong than a smooth one.
 struct Sobolev : Covariance {
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
     double cap_mean(double b) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * b); }
@@ -39,7 +39,7 @@ struct Sobolev : Covariance {
     double zz() const override { return sobolev_zz; }
 };
 
-// The same with the known part p = cos(theta).
+// The same with the known part p = cos(theta), for directions that are denser where the cosine is large.
 struct SobolevKnownCosine final : Sobolev {
     double z(double cos_theta) const override { return sobolev_cosine_z(cos_theta); }
     double zz() const override { return sobolev_cosine_zz; }

@@ -56,7 +56,7 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
-// In the order of the members: each uses those before it.
+// The members are made in the order of the header, each from those before it.
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions)
     : directions(checked(std::move(unit_directions), noise)),
       z(z_of(covariance, directions)),
@@ -70,13 +70,7 @@ double GaussianProcess::integral(const std::vector<double>& values) const { retu
 // END SOLUTION
 
 double GaussianProcess::amplitude(const std::vector<double>& values) const {
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::fabs(value));
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    std::vector<double> scaled = values;  // by a power of 2, so that squares are neither infinite nor 0
-    for (double& value : scaled) value = std::ldexp(value, -exponent);
-    const std::vector<double> y = cholesky.forward_substitution(scaled);  // |y|^2 = Y^T Q^-1 Y
-    return std::ldexp(std::sqrt(dot(y, y) / static_cast<double>(values.size())), exponent);
+    const std::vector<double> g = cholesky.forward_substitution(values);  // |g|^2 = Y^T Q^-1 Y
+    return std::sqrt(dot(g, g) / static_cast<double>(values.size()));
 }
 }  // namespace bmc

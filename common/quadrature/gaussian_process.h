@@ -12,6 +12,7 @@
 
 namespace bmc {
 struct GaussianProcess {
+    // Made in this order, each from those before it.
     const std::vector<Vec3> directions;
     const std::vector<double> z;        // z_j, the integral over H of k(omega_j, omega) p(omega) d omega
     const Cholesky cholesky;            // the factor of Q
@@ -32,7 +33,8 @@ struct GaussianProcess {
     double integral(const std::vector<double>& values) const;
 
     // The amplitude a of f, the typical size of its values. With a^2 k in place of k and a times the noise, the weights
-    // stay, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n.
+    // stay, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n. Squares of
+    // values below 1e-140 or above 1e150 would lose digits or overflow.
     double amplitude(const std::vector<double>& values) const;
 
     // The standard error that the process predicts for integral(values): a sqrt(V). nan if V is below 1e-12 zz: then

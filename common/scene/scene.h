@@ -69,8 +69,9 @@ inline bool is_shadowed_by(const Sphere& sphere, Vec3 point, Vec3 direction) {
     return (ahead > 0) & (ahead * ahead > dot(o, o) - sphere.radius * sphere.radius);
 }
 
-// The ray meets the plane at point + (height / approach) direction. Both sides of each comparison are multiplied by
-// approach, so that nothing is divided by 0.
+// The ray meets the plane at point + t direction, t = height / approach. The rectangle is in the way if
+//     t > 0, x_min <= point.x + t direction.x <= x_max, and z_min <= point.z + t direction.z <= z_max.
+// Both sides of each comparison are multiplied by approach, so that nothing is divided by 0.
 inline bool is_shadowed_by(const Rectangle& rectangle, Vec3 point, Vec3 direction) {
     const double height = std::fabs(point.y - rectangle.y);
     const double approach = point.y < rectangle.y ? direction.y : -direction.y;
