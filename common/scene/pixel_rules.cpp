@@ -45,29 +45,24 @@ OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
         case Method::mc:
             if (shared.empty()) return {frame, fresh_rule(random)};
             return {frame.rotated(random.uniform()), shared[0]};
-        case Method::direct: {
+        case Method::direct:
             // BEGIN SOLUTION rule_for
             return {frame, fresh_rule(random)};
             // END SOLUTION
-        }
-        case Method::single: {
+        case Method::single:
             // BEGIN SOLUTION rule_for
             return {frame, shared[0]};
             // END SOLUTION
-        }
-        case Method::rotated: {
+        case Method::rotated:
             // BEGIN SOLUTION rule_for
             return {frame.rotated(random.uniform()), shared[0]};
             // END SOLUTION
-        }
-        case Method::pool: {
-            // BEGIN SOLUTION rule_for
-            const double u = random.uniform();  // chooses the rule; a second number rotates it
-            const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared.size()));
-            return {frame.rotated(random.uniform()), shared[chosen]};
-            // END SOLUTION
-        }
+        case Method::pool: break;
     }
-    throw std::logic_error("a method without a rule");
+    // BEGIN SOLUTION rule_for
+    const double u = random.uniform();  // chooses the rule; a second number rotates it
+    const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared.size()));
+    return {frame.rotated(random.uniform()), shared[chosen]};
+    // END SOLUTION
 }
 }  // namespace bmc
