@@ -12,7 +12,7 @@ double time_call(const std::function<void()>& action);
 
 struct CostSettings {
     int size = 64;           // of the pictures, size x size pixels
-    std::uint64_t seed = 1;  // picture i of seed k has the seed 1000 (k - 1) + i, i from 1
+    std::uint64_t seed = 1;  // picture i of seed k has the seed 1000 (k - 1) + i, i from 1; the truth has i = 0
     bool untimed = false;
 };
 
@@ -52,7 +52,7 @@ struct PictureCost {
 PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement);
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light);
 
-// The settings of a row: with these samples, the size and the first seed. The row has the seeds from there on.
+// The settings of a row: with these samples and the size. The row's pictures have the seeds that follow this one.
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples);
 
 // The row with this number of samples. examine sees each picture and its settings. Throws std::runtime_error if nothing

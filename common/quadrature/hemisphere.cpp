@@ -1,5 +1,7 @@
 #include "quadrature/hemisphere.h"
 
+#include "quadrature/closed_forms.h"
+
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
 static Vec3 direction_at(double u, double turns, KnownPart density) {
@@ -21,7 +23,7 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart den
 
 std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart density) {
     const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)) / 2 + 0.5);
-    const double turns = random.uniform();
+    const double rotation = random.uniform();
     std::vector<Vec3> directions;
     for (std::size_t row = 1; row <= rows; ++row) {
         const std::size_t end = row * n / rows;  // of the row's cells
@@ -29,7 +31,7 @@ std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart
         for (double cell = 0; directions.size() < end; ++cell) {
             const double height = static_cast<double>(end) - cells * random.uniform();  // in n-ths, above 0
             const double across = cell + random.uniform();
-            directions.push_back(direction_at(height / static_cast<double>(n), turns + across / cells, density));
+            directions.push_back(direction_at(height / static_cast<double>(n), rotation + across / cells, density));
         }
     }
     return directions;
@@ -42,6 +44,27 @@ std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart density) {
         const double index = static_cast<double>(i);
         directions[i] = direction_at(1 - (index + 0.5) / static_cast<double>(n), index * golden, density);
     }
+    return directions;
+}
+
+// As k is 8/3 - r, moving omega_i lowers V by 2 w (what it adds to z_i + w times what it adds to the distances to the
+// others). Each direction in turn tries a random move, shorter from sweep to sweep, and makes it if it lowers V.
+std::vector<Vec3> optimised_directions(std::size_t n, KnownPart p) {
+    constexpr int sweeps = 50;
+    const double w = known_integral(p) / static_cast<double>(n), reach = 1.2 / std::sqrt(static_cast<double>(n));
+    const auto z = [p](Vec3 d) { return (p == KnownPart::cosine ? sobolev_cosine_z : sobolev_z)(std::min(d.y, 1.0)); };
+    std::vector<Vec3> directions = fibonacci_directions(n, p);
+    Random random(0, n);
+    for (int sweep = sweeps; sweep > 0; --sweep)
+        for (Vec3& from : directions) {
+            Vec3 to = from;
+            for (double* axis : {&to.x, &to.y, &to.z}) *axis += reach * sweep / sweeps * (2 * random.uniform() - 1);
+            to = normalize(to);
+            to.y = std::fabs(to.y);
+            double farther = -length(to - from);  // from the others; the sum counts the place that it leaves, too
+            for (const Vec3& other : directions) farther += length(to - other) - length(from - other);
+            if (z(to) + w * farther > z(from)) from = to;
+        }
     return directions;
 }
 

@@ -20,9 +20,9 @@ Sampler sampler_of(Placement placement, std::size_t n) {
         case Placement::fibonacci:
         case Placement::cosine_fibonacci: return rotated(fibonacci_directions(n, p));
         case Placement::optimised:
-        case Placement::cosine_optimised: return rotated(optimised_directions(n, p));
+        case Placement::cosine_optimised: break;
     }
-    throw std::logic_error("a placement without directions");
+    return rotated(optimised_directions(n, p));
 }
 
 // BEGIN SOLUTION montecarlo

@@ -15,7 +15,7 @@ std::size_t shared_count(const RenderSettings& settings) {
         case Method::rotated: return 1;
         case Method::pool: break;
     }
-    return settings.pool;
+    return is_fixed(settings.placement) ? 1 : settings.pool;  // rules of one set differ by a rotation alone
 }
 
 // The shared_count(settings) rules, made once: rule i by fresh_rule and rule_stream(settings, i).

@@ -51,7 +51,7 @@ TEST_CASE("stratified directions have a random point in each of n cells of equal
                     double below = 0;
                     auto row = rows.begin();
                     const double height = n * (density == KnownPart::cosine ? d.y * d.y : d.y);
-                    while (height > below + *row) below += *row++;
+                    while (row + 1 != rows.end() && height > below + *row) below += *row++;
                     const double azimuth = 1 + std::atan2(d.x, d.z) / (2 * pi) - turns;
                     const double across = *row * (azimuth - std::floor(azimuth));
                     ++cells.at(static_cast<std::size_t>(below + std::floor(across)));
