@@ -42,7 +42,8 @@ Image Request::image(const EnvironmentMap& map) const {
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
     }
-    if (!by_visibility && note_missed_light(map, chosen.samples)) print_note("note: --known light models this light");
+    if (!by_visibility && rmse == 0 && show == Show::picture && note_missed_light(map, chosen.samples))
+        print_note("note: --known light models this light");
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
     Image image = render(map, chosen, by_visibility ? shader_of(light, chosen) : warned_shader(map, chosen));
     if (show == Show::picture) return image;

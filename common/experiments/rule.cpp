@@ -14,7 +14,6 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
-// 17 digits are a double: whoever reads the directions that are printed here has these.
 static std::string weights_block(const GaussianProcess& process, KnownPart p) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
     int negative = 0;
@@ -33,10 +32,16 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
 # rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). Negative weights: %d.
 # A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
 # of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
+# 17 digits give back the same doubles; how many of a weight's digits are right, ./workbench stability tells.
 )",
                       sum, p == KnownPart::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
                       negative, white_brightness(rule), noise_gain(rule));
 }
+
+static const char* const premise =
+    R"(# The weights are right if nobody looked at f to choose these directions. If some were drawn towards the light,
+# an estimate is far too bright: let f be the visibility alone, 0 or 1, and the light a known factor.
+)";
 
 static std::string estimate_line(const GaussianProcess& process, KnownPart p, const std::vector<double>& values) {
     const double estimate = process.integral(values), error = process.standard_error(values);
@@ -131,6 +136,7 @@ std::string RuleReport::report() const {
         given = read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);
     std::string text = weights_block(process, covariance->known_part());
+    if (!directions.empty()) text += premise;
     if (!given.values.empty()) text += estimate_line(process, covariance->known_part(), given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
