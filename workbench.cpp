@@ -5,6 +5,8 @@
 #include "experiments/error_table.h"
 #include "experiments/reports.h"
 
+#include <algorithm>
+
 // The folder common/beyond brings more commands.
 #if __has_include("beyond/known_light_cost.h")
 #include "beyond/known_light_cost.h"
@@ -26,20 +28,19 @@ static std::string run(int argc, char** argv) {
         {"models", "covariances and noise compared", std::make_shared<ModelsReport>()},
         {"stability", "where the arithmetic breaks", std::make_shared<StabilityReport>()}};
     for (const Command& command : beyond::commands()) commands.push_back(command);
-    const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";
+    const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";  // "": no command
     std::string names, usages;
     for (const Command& command : commands) {
-        if (!name.empty() && command.name == name)
-            return run_command(command, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
         names += (names.empty() ? "" : ", ") + command.name;
         usages += formatted("       ./workbench %-22s", command.name.c_str()) + command.summary + '\n';
     }
-    if (argc < 2 || *argv[1] == '-')
-        return run_command(commands[0],
-                           "usage: ./workbench [options]\n" + usages +
-                               "\nCompares Monte Carlo with Bayesian Monte Carlo on integrals over the hemisphere.\n",
-                           argc, argv);
-    throw std::invalid_argument("unknown command '" + name + "'; commands: " + names);
+    const auto named = std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.name == name; });
+    if (named == commands.end()) throw std::invalid_argument("unknown command '" + name + "'; commands: " + names);
+    if (!name.empty()) return run_command(*named, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
+    return run_command(*named,
+                       "usage: ./workbench [options]\n" + usages +
+                           "\nCompares Monte Carlo with Bayesian Monte Carlo on integrals over the hemisphere.\n",
+                       argc, argv);
 }
 
 int main(int argc, char** argv) {

@@ -1,8 +1,10 @@
 // Text with numbers in it.
 #pragma once
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,11 @@ formatted(const char* format, ...) {
     va_end(same);
     va_end(arguments);
     return text;
+}
+
+// A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
+inline std::string two_digits(double number) {
+    return formatted("%.9g", std::floor(std::strtod(formatted("%.1e", number).c_str(), nullptr) + 0.5));
 }
 
 // "mc, direct or pool".

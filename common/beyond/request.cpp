@@ -34,10 +34,10 @@ Image Request::image(const EnvironmentMap& map) const {
     RenderSettings chosen = settings;
     const EnvironmentLight light(map, by_visibility, settings.threads);
     if (rmse > 0) {
-        const Prediction found = samples_for(rmse, most_samples(), light, chosen);
-        if (found.samples > static_cast<double>(most_samples()))
+        const Prediction found = samples_for(rmse, max_process_samples, light, chosen);
+        if (found.samples > static_cast<double>(max_process_samples))
             throw std::runtime_error("--rmse: about " + two_digits(found.samples) + " samples would be needed" +
-                                     formatted(", and %zu are the most allowed", most_samples()) +
+                                     formatted(", and %zu are the most allowed", max_process_samples) +
                                      (by_visibility ? "" : "; take --known light, with the default covariance"));
         chosen.samples = static_cast<std::size_t>(found.samples);
         print_prediction(chosen.samples, found.rmse);
@@ -50,6 +50,6 @@ Image Request::image(const EnvironmentMap& map) const {
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);
     if (rmse == 0) print_prediction(chosen.samples, predicted);
-    return is_linear(format) ? errors : grey_scale(errors, 2 * predicted);
+    return format == Format::pfm ? errors : grey_scale(errors, 2 * predicted);
 }
 }  // namespace bmc::beyond

@@ -1,7 +1,5 @@
 #include "experiments/picture_cost.h"
 
-#include "scene/advice.h"
-
 #include <chrono>
 
 namespace bmc {
@@ -31,12 +29,10 @@ static double seconds_per_megapixel(PictureCost picture) {
     return rules + 1e6 * std::max(0.0, whole - rules) / pixels;
 }
 
-// If pixels share rules, 64 rules make the standard error of the RMSE a few per cent of it. If they share none, or one
-// that is always the same, every pixel is a sample, and the seeds are for the brightness. Fewer where they take long.
+// More where each seed has but one rule, fewer where they take long.
 static std::size_t seeds_of(const RenderSettings& settings) {
     if (settings.width > 128 || (settings.method == Method::direct && settings.samples > 40)) return 4;
-    const std::size_t rules = shared_count(settings);
-    return rules == 0 || is_fixed(settings.placement) ? 16 : std::max<std::size_t>(16, 64 / rules);
+    return settings.method == Method::single || settings.method == Method::rotated ? 64 : 16;
 }
 
 void PictureReport::add_options(Options& options) {

@@ -1,7 +1,5 @@
 #include "experiments/reports.h"
 
-#include "light/averages.h"
-
 #include <numeric>
 
 namespace bmc {
@@ -69,8 +67,7 @@ static const char* const meaning =
     R"(# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its
 # standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean square
 # of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
-# integrand. c, the standard deviation of the light over its mean, says what a light costs: mc errs by about
-# sqrt((1 + 4 c^2) / (3 samples)) of the picture's brightness.
+# integrand.
 )";
 static const char* const measured =
     R"(# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is
@@ -96,7 +93,6 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
             progress.done();
         }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
-           name + formatted(", c = %.2g.\n", contrast(light)) + meaning + (costs.untimed ? "" : measured) +
-           picture_table(rows, !costs.untimed);
+           name + ".\n" + meaning + (costs.untimed ? "" : measured) + picture_table(rows, !costs.untimed);
 }
 }  // namespace bmc

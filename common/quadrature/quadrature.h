@@ -36,9 +36,9 @@ constexpr const char* placement_names[] = {"uniform", "stratified",        "fibo
 
 // The density is this known part over its integral. Lattices and optimised sets are fixed: the same each time.
 inline KnownPart density_of(Placement p) { return p < Placement::cosine ? KnownPart::nothing : KnownPart::cosine; }
-inline bool is_lattice(Placement p) { return p == Placement::fibonacci || p == Placement::cosine_fibonacci; }
 inline bool is_fixed(Placement p) {
-    return is_lattice(p) || p == Placement::optimised || p == Placement::cosine_optimised;
+    return p == Placement::fibonacci || p == Placement::cosine_fibonacci || p == Placement::optimised ||
+           p == Placement::cosine_optimised;
 }
 
 // Draws a fresh set of n >= 1 directions. A fixed set is made once, here, and then rotated by random angles.

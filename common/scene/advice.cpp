@@ -5,10 +5,6 @@
 #include "light/averages.h"
 
 namespace bmc {
-std::string two_digits(double number) {
-    return formatted("%.9g", std::floor(std::strtod(formatted("%.1e", number).c_str(), nullptr) + 0.5));
-}
-
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples) {
     const double c = contrast(light), error = 1.4 * c / std::sqrt(static_cast<double>(samples));
     if (!(error > 0.5)) return false;

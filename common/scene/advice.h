@@ -4,9 +4,6 @@
 #include "scene/render.h"
 
 namespace bmc {
-// A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
-std::string two_digits(double number);
-
 // Prints a note on what to expect of so many samples in random directions, if they miss this light, and returns whether
 // they do: if an error of 1.4 c / sqrt(samples) is above half of the picture's brightness. common/README.md derives it,
 // from the light's contrast c and from the part of the pixels that see a lamp.

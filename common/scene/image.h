@@ -26,9 +26,6 @@ double srgb_to_linear(double code);
 enum class Format { ppm, pfm, bmp };
 constexpr const char* format_names[] = {"ppm", "pfm", "bmp"};
 
-// Whether a file of this format holds the light itself, and not codes for a screen.
-inline bool is_linear(Format format) { return format == Format::pfm; }
-
 // The image as a file.
 // - ppm: binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].
 // - bmp: the same codes as BMP, which every system opens.

@@ -11,7 +11,7 @@ static void set_size(RenderSettings& settings, const std::string& text) {
 
 void PictureRequest::add_options(Options& options) {
     options.add("method", method_names, settings.method);
-    options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, most_lattice_samples);
+    options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, max_process_samples);
     options.add("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1, 1000);
     add_model_options(options, settings);
     options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
@@ -25,15 +25,12 @@ void PictureRequest::add_options(Options& options) {
                       [this] { return settings.method == Method::mc; });
     options.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
     options.make_idle({"pool"}, "with a lattice or an optimised set", [this] { return is_fixed(settings.placement); });
-    options.make_idle({"exposure"}, "with --format pfm", [this] { return is_linear(format); });
+    options.make_idle({"exposure"}, "with --format pfm", [this] { return format == Format::pfm; });
 }
 
 std::string PictureRequest::report() const {
-    if (settings.samples > most_samples())
-        throw std::invalid_argument(formatted(
-            "--samples: '%zu' is too many: at most 4096, except with --method mc on a lattice", settings.samples));
     Image picture = image(load_environment(environment, settings.threads));
-    if (!is_linear(format)) {
+    if (format != Format::pfm) {
         const double factor = portable::pow(2, exposure);
         for (Colour& pixel : picture.pixels) pixel = factor * pixel;
         warn_of_exposure(picture, exposure);
@@ -44,9 +41,5 @@ std::string PictureRequest::report() const {
 Image PictureRequest::image(const EnvironmentMap& light) const {
     note_missed_light(light, settings.samples);
     return render(light, settings, warned_shader(light, settings));
-}
-
-std::size_t PictureRequest::most_samples() const {
-    return settings.method == Method::mc && is_lattice(settings.placement) ? most_lattice_samples : max_process_samples;
 }
 }  // namespace bmc

@@ -14,15 +14,10 @@ struct PictureRequest : Experiment {
 
     void add_options(Options& options) override;
 
-    // The image as a file; a PPM or BMP has 2^exposure times the radiance. Throws std::invalid_argument for too many
-    // samples, and what the Gaussian processes throw.
+    // The image as a file; a PPM or BMP has 2^exposure times the radiance. Throws what the Gaussian processes throw.
     std::string report() const final;
 
     // The image of linear radiance in this light. Prints what to expect of it.
     virtual Image image(const EnvironmentMap& light) const;
-
-    // max_process_samples, or for mc on a lattice, which makes no process, most_lattice_samples.
-    std::size_t most_samples() const;
-    static constexpr std::size_t most_lattice_samples = 1000000;
 };
 }  // namespace bmc

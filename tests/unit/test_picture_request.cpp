@@ -5,12 +5,12 @@ TEST_CASE("the options of a picture set its members, in the ranges of a picture 
     PictureRequest request;
     const RenderSettings& s = request.settings;
     for (const std::string word :
-         {"--size=8192", "--size=5x6", "--samples=1000000", "--pool=1000", "--threads=256", "--exposure=200",
+         {"--size=8192", "--size=5x6", "--samples=4096", "--pool=1000", "--threads=256", "--exposure=200",
           "--exposure=-200", "--smoothness=1.001", "--smoothness=1.999", "--length-scale=0.05", "--length-scale=1e6",
           "--noise=0", "--noise=1000", "--seed=0", "--seed=18446744073709551615"})
         CHECK_MESSAGE(message_of([&] { parse({word}, request.options()); }) == "", word);
     for (const std::string word :
-         {"--size=8193", "--size=5x", "--size=x5", "--size=5x5x5", "--size=0", "--size=5x8193", "--samples=1000001",
+         {"--size=8193", "--size=5x", "--size=x5", "--size=5x5x5", "--size=0", "--size=5x8193", "--samples=4097",
           "--pool=1001", "--threads=257", "--exposure=200.1", "--exposure=-200.1", "--smoothness=1.0005",
           "--smoothness=1.9995", "--length-scale=0.0499", "--length-scale=1.1e6", "--noise=-1e-9", "--noise=1001",
           "--seed=-1"})
