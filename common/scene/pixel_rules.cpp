@@ -5,9 +5,9 @@ PixelRules::PixelRules(const RenderSettings& picture_settings)
     : settings(picture_settings),
       covariance(settings.method == Method::mc ? nullptr : settings.make_covariance()),
       sampler(sampler_of(settings.placement, settings.samples)),
-      shared(shared_count(settings) > 0 ? shared_rules() : SharedRules{}) {}
+      shared(shared_count() > 0 ? shared_rules() : SharedRules{}) {}
 
-std::size_t shared_count(const RenderSettings& settings) {
+std::size_t PixelRules::shared_count() const {
     switch (settings.method) {
         case Method::mc: return is_fixed(settings.placement) ? 1 : 0;
         case Method::direct: return 0;
@@ -18,12 +18,12 @@ std::size_t shared_count(const RenderSettings& settings) {
     return is_fixed(settings.placement) ? 1 : settings.pool;  // rules of one set differ by a rotation alone
 }
 
-// The shared_count(settings) rules, made once: rule i by fresh_rule and rule_stream(settings, i).
+// The shared_count() rules, made once: rule i by fresh_rule and rule_stream(settings, i).
 // BEGIN SOLUTION shared_rules
 SharedRules PixelRules::shared_rules() const {
     SharedRules rules;
-    Progress progress("rules", shared_count(settings));
-    for (std::size_t i = 0; i < shared_count(settings); ++i) {
+    Progress progress("rules", shared_count());
+    for (std::size_t i = 0; i < shared_count(); ++i) {
         Random random = rule_stream(settings, i);
         rules.push_back(fresh_rule(random));
         progress.done();

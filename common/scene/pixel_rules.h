@@ -39,7 +39,6 @@ struct OrientedRule {
 };
 
 using SharedRules = std::vector<std::shared_ptr<const QuadratureRule>>;
-std::size_t shared_count(const RenderSettings& settings);  // how many rules pixels share
 
 struct PixelRules {
     const RenderSettings settings;
@@ -60,6 +59,7 @@ struct PixelRules {
     OrientedRule rule_for(Vec3 normal, Random& random) const;
 
 private:
+    std::size_t shared_count() const;  // how many rules pixels share
     SharedRules shared_rules() const;
 };
 }  // namespace bmc

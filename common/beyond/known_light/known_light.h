@@ -15,8 +15,7 @@
 #include "scene/render.h"
 
 namespace bmc::beyond {
-// An environment, which must outlive it, and its averages, where it is to be known. Then the cosine is to be known,
-// too: the known part of the settings below is KnownPart::cosine.
+// An environment, which must outlive it, and its averages if it is known; the settings below then know the cosine.
 struct EnvironmentLight {
     const EnvironmentMap& environment;
     std::shared_ptr<const PrefilteredEnvironment> averages;
