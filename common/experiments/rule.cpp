@@ -29,13 +29,13 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
     const double integral = known_integral(p), ratio = sum / integral;
     return text + formatted(
                       R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
-# rule were exact for constants. S = sum of |w_j| over that integral = %.4g (Monte Carlo: 1). Negative weights: %d.
+# rule were exact for constants. Negative weights: %d.
 # A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
 # of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 # 17 digits give back the same doubles; how many of a weight's digits are right, ./workbench stability tells.
 )",
-                      sum, p == KnownPart::cosine ? "cos(theta)" : "1", integral, ratio, stability_constant(rule),
-                      negative, white_brightness(rule), noise_gain(rule));
+                      sum, p == KnownPart::cosine ? "cos(theta)" : "1", integral, ratio, negative,
+                      white_brightness(rule), noise_gain(rule));
 }
 
 static const char* const premise =

@@ -72,7 +72,7 @@ static std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
 struct Stability {
     double weight_error;  // the largest difference from the weights of four rotated sets and thrice the covariance,
                           // over the largest weight; infinite if a rotated matrix cannot be factored
-    double constant;      // stability_constant
+    double noise_gain;
 };
 
 // nullopt if the covariance matrix cannot be factored.
@@ -81,7 +81,7 @@ static std::optional<Stability> stability_of(const std::vector<Vec3>& directions
     std::optional<Stability> stability;
     try {
         const QuadratureRule rule = bayesian_rule(covariance, noise, directions);
-        stability = {INFINITY, stability_constant(rule)};
+        stability = {INFINITY, noise_gain(rule)};
         double difference = 0, largest = 0;
         for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
             std::vector<Vec3> turned(directions.rbegin(), directions.rend());  // in the reverse order
@@ -102,9 +102,9 @@ std::string StabilityReport::report() const {
     std::string text =
         R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
 # directions are rotated about the up axis, and covariance and squared noise are three times as large, which
-# must not change a weight (nan: no factor of the matrix). Then the stability constant S: Monte Carlo has 1; above 2,
+# must not change a weight (nan: no factor of the matrix). Then the noise gain, about 1 for Monte Carlo; above 2,
 # pictures are usually worse than Monte Carlo's.
-#                                                   digits at a noise of               S at a noise of
+#                                                   digits at a noise of               gain at a noise of
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
 )";
     const std::vector<Setting> all = settings();
@@ -113,15 +113,15 @@ std::string StabilityReport::report() const {
         const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
         text += formatted("  %-11s %7zu %-19s %9g ", name_of(set, sample_set_names), samples,
                           name_of(family, covariance_names), parameter);
-        std::string constants;
+        std::string gains;
         for (std::size_t i = 0; i < std::size(noises); ++i) {
             const auto stability = stability_of(sample_set(set, samples), *covariance, noises[i]);
             progress.done();
             text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "  nan";
             if (i == 1 || i == 3 || i == 6)
-                constants += stability ? formatted(" %8.3g", stability->constant) : "      nan";
+                gains += stability ? formatted(" %8.3g", stability->noise_gain) : "      nan";
         }
-        text += constants + '\n';
+        text += gains + '\n';
     }
     return text;
 }

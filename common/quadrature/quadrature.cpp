@@ -62,12 +62,6 @@ QuadratureRule cosine_rule(QuadratureRule rule) {
 }
 // END SOLUTION
 
-double stability_constant(const QuadratureRule& rule) {
-    double sum = 0;
-    for (const double weight : rule.weights) sum += std::fabs(weight);
-    return sum / known_integral(rule.known_part);
-}
-
 // W_j. Not by cosine_rule, which students write: assignment 3.1 prints these numbers before that.
 static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
     return rule.weights[j] * (rule.known_part == KnownPart::cosine ? 1 : rule.directions[j].y);

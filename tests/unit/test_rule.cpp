@@ -71,7 +71,7 @@ TEST_CASE("the report of directions with the known part cosine says so") {
     for (const std::string& part :
          {formatted(" %12.9g %24.17g\n", z, w),
           formatted("weights sum to %.6g, and the integral of cos(theta) is 3.14159. The ratio %.4g would", w, w / pi),
-          formatted("over that integral = %.4g (Monte Carlo: 1). Negative weights: 0.", w / pi),
+          std::string("exact for constants. Negative weights: 0."),
           formatted("# The integral of the values times cos(theta): estimate %.9g, amplitude", -3 * w)})
         CHECK(text == Containing{part});
 }
