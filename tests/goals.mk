@@ -48,13 +48,14 @@ test: all $(BUILD)/unit_tests $(BUILD)/compare
 unit: $(BUILD)/unit_tests
 	BUILD=$(BUILD) tests/output/run unit_tests
 
+ONLY = *
 references: all
-	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite
+	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite '$(ONLY)'
 
 handout: all $(BUILD)/check_tasks
 	BUILD=$(BUILD) BIN=$(BIN) tests/course/handout
 
-SUBMISSION ?= .
+SUBMISSION = .
 grade:
 	BUILD=$(BUILD) CXX="$(CXX)" tests/course/grade "$(SUBMISSION)"
 
@@ -89,7 +90,7 @@ threads:
 
 # What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.
 FUZZ = $(BUILD)/fuzz
-FUZZ_SECONDS ?= 60
+FUZZ_SECONDS = 60
 fuzz:
 	@tests/require_tool libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
