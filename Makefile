@@ -31,12 +31,13 @@ clean:
 help:
 	@sed -n 's/^# make/make/p' $(filter Makefile %.mk,$(MAKEFILE_LIST))
 
-# The rest says how. The language is part of the sources: without contraction every result is what IEEE 754 says. The
-# last two flags of it change no bit; they let the compiler vectorise loops with square roots and comparisons.
+# The rest says how. The language is part of the sources: its first row of flags makes every result what IEEE 754 says;
+# the second one changes no bit, and lets the compiler vectorise loops with square roots and comparisons.
 CXX ?= g++
 NATIVE := $(shell $(CXX) -march=native -x c++ -fsyntax-only /dev/null 2>/dev/null && echo -march=native)
 CXXFLAGS ?= -O3 $(NATIVE)
-LANGUAGE = -std=c++17 -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
+LANGUAGE = -std=c++17 -pthread -ffp-contract=off -fno-associative-math -fno-reciprocal-math \
+    -fno-math-errno -fno-trapping-math
 # A case that a switch lacks is an error: so the compiler names each place that a new enumerator needs.
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror=switch
 EXTRA =

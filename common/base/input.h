@@ -4,6 +4,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -11,16 +14,17 @@
 
 namespace bmc {
 // What read(stream) makes of the bytes of a file, or of standard input if its name is "-". Throws std::runtime_error:
-// one line that begins with the name. missing: what it says of a file that cannot be opened.
+// one line that begins with the name. hint: what it adds to the system's words for a file that cannot be opened.
 template <class Read>
-auto read_file(const std::string& name, Read read, const std::string& missing = "there is no such file") {
+auto read_file(const std::string& name, Read read, const std::string& hint = "") {
     std::ifstream file(name, std::ios::binary);
+    const int reason = errno;
 #ifdef _WIN32
     if (name == "-") _setmode(STDIN_FILENO, _O_BINARY);
 #endif
     std::string problem = "it cannot be read to its end";
     try {
-        if (name != "-" && !file) throw std::runtime_error(missing);
+        if (name != "-" && !file) throw std::runtime_error(std::strerror(reason) + hint);
         auto content = read(name == "-" ? std::cin : file);
         if (!std::ferror(stdin)) return content;
     } catch (const std::ios_base::failure&) {

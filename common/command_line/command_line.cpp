@@ -88,7 +88,10 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     options.add("help", "print this text", help);
     const std::set<std::string> given = parse_options(argc, argv, options);
     if (help) return usage + '\n' + describe(options);
-    if (optind < argc) throw std::invalid_argument(formatted("unexpected argument '%s'; try --help", argv[optind]));
+    if (optind < argc)
+        throw std::invalid_argument(
+            formatted("unexpected argument '%s': options begin with --, and a command stands before them; try --help",
+                      argv[optind]));
     if (!command.file.empty() && isatty(STDOUT_FILENO))
         throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program_name + ' ' +
                                     command.name + (command.name.empty() ? "> " : " > ") + command.file);

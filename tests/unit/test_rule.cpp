@@ -29,13 +29,20 @@ static void refused(const std::string& content, const std::string& reason) {
 }
 
 TEST_CASE("a line that is no direction is named, with what is wrong and what to do") {
-    refused("0 1 0\n\n0 1 x\n", "line 3: 'x' is not a number; # begins a comment");
-    refused("0 1 0x\n", "line 1: '0x' is not a number; # begins a comment");
+    const auto not_a_number = [](const std::string& line, const std::string& word, const std::string& character) {
+        refused("0 1 0\n\n" + line, "line 3: '" + word + "' is not a number, by the character " + character +
+                                        "; blanks stand between columns, and # begins a comment");
+    };
+    not_a_number("0 1 0x\n", "0x", "'x'");
+    not_a_number("(0,1,0)\n", "(0,1,0)", "'('");
+    not_a_number("0;1;0", "0;1;0", "';'");
+    not_a_number(std::string("0 1 0 5\0\n", 9), "5", "U+0000");
+    not_a_number("0\xc2\xa0-1\xc2\xa0-0\n", "0\xc2\xa0-1\xc2\xa0-0", "U+00A0");  // no-break spaces
+    not_a_number("0 0 \xe2\x88\x92.5\n", "\xe2\x88\x92.5", "U+2212");            // a minus
+    not_a_number("0 1 0 \xf0\x9f\x98\x80\n", "\xf0\x9f\x98\x80", "U+1F600");
+    not_a_number("0 1 0 \xe9", "\xe9", "U+00E9");  // in Latin-1
     for (const char* word : {"nan", "inf", "1e400"})
         refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not finite", word));
-    refused("x y z value\n0 1 0 1\n", "line 1: 'x' is not a number; # begins a comment");
-    refused("0,1,0\n", "line 1: '0,1,0' is not a number; blanks stand between columns, not commas");
-    refused("0 1 0 abc\n", "line 1: 'abc' is not a number");
     for (const auto& [line, count] : {std::pair("0 1\n", 2), {"0 1 0 1 1\n", 5}})
         refused(line, formatted("line 1: expected x y z or x y z value, not %d columns", count));
     for (const auto& [y, shown] : {std::pair("1.000002", "1.000002"), {"0.9991", "0.9991"}, {"0", "0"}})
@@ -43,7 +50,6 @@ TEST_CASE("a line that is no direction is named, with what is wrong and what to 
     for (const auto& [lines, count, before] : {std::tuple("0 1 0\n0 1 0 5\n", 4, 3), {"0 1 0 5\n0 1 0\n", 3, 4}})
         refused(lines, formatted("line 2: %d columns, where earlier lines have %d", count, before));
     refused("0 1 0\n1 -1e-17 0\n", "line 2: y = -1e-17 is below the horizon; directions have y >= 0");
-    refused(std::string("0 1 0 5\0\n", 9), "line 1: '5");
     for (const char* mark : {"\xff\xfe", "\xfe\xff"})
         refused(mark + std::string("0"), "line 1: the file is UTF-16, as");
 }
