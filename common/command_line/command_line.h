@@ -44,9 +44,11 @@ struct Options {
     void add(Option option) { all.push_back(std::move(option)); }
     Option& named(const std::string& name);  // the one of this name
 
-    // Adds one that sets a text, a switch, a number from low to high, or a value that has a name.
+    // Adds one that sets a text, a switch, a number from low to high, or a value that has a name. The description ends
+    // with what it is by default, if that is not empty.
     void add(const char* name, const char* argument, const std::string& description, std::string& text) {
-        add({name, argument, description, [&text](const std::string& value) { text = value; }});
+        add({name, argument, description + (text.empty() ? "" : " (default " + text + ")"),
+             [&text](const std::string& value) { text = value; }});
     }
     void add(const char* name, const char* description, bool& given) {
         add({name, "", description, [&given](const std::string&) { given = true; }});
@@ -54,7 +56,7 @@ struct Options {
     template <class Number>
     void add(const char* name, const char* argument, const char* description, Number& number,
              std::common_type_t<Number> low, std::common_type_t<Number> high) {
-        add({name, argument, description,
+        add({name, argument, formatted("%s (default %g)", description, static_cast<double>(number)),
              [=, &number](const std::string& text) { number = parse<Number>(text, low, high); }});
     }
     template <class T, std::size_t count>

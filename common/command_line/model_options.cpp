@@ -3,16 +3,14 @@
 namespace bmc {
 void add_model_options(Options& options, ModelSettings& s) {
     options.add("covariance", covariance_names, s.covariance);
-    options.add("smoothness", "X", "of sobolev, between 1 and 2 (default 1.5)", s.smoothness, min_smoothness,
-                max_smoothness);
-    options.add("length-scale", "X", "of the other covariances, from 0.05 (default 1)", s.length_scale,
-                min_length_scale, max_length_scale);
-    options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude (default 0.01)", s.noise,
-                0, 1000);
+    options.add("smoothness", "X", "of sobolev, between 1 and 2", s.smoothness, min_smoothness, max_smoothness);
+    options.add("length-scale", "X", "of the other covariances, from 0.05", s.length_scale, min_length_scale,
+                max_length_scale);
+    options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
     options.add(choice("known", {std::begin(known_part_names), std::end(known_part_names)}, 0, known_remark,
                        [&s](std::size_t chosen) { s.known_part = static_cast<KnownPart>(chosen); }));
     options.add("placement", placement_names, s.placement);
-    options.add("seed", "K", "seed of the random numbers (default 1)", s.seed, 0, UINT64_MAX);
+    options.add("seed", "K", "seed of the random numbers", s.seed, 0, UINT64_MAX);
     const auto is_sobolev = [&s] { return s.covariance == CovarianceFamily::sobolev; };
     options.make_idle({"length-scale"}, "with --covariance sobolev", is_sobolev);
     options.make_idle({"smoothness"}, "without --covariance sobolev", [=] { return !is_sobolev(); });

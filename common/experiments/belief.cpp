@@ -99,7 +99,7 @@ static void print_estimate(const GaussianProcess& process, const std::vector<dou
 }
 
 void Belief::add_options(Options& options) {
-    options.add("samples", "N", "directions of the process (default 40)", samples, 1, 400);
+    options.add("samples", "N", "directions of the process", samples, 1, 400);
     options.add("environment", "FILE", environment_help(), environment);
     add_model_options(options, settings);
 }

@@ -77,10 +77,8 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 void ErrorTables::add_options(Options& options) {
     options.add("integrand", practice_integrand_names, integrand);
     add_sample_list(options, settings.samples);
-    options.add("mc-estimates", "M", "MC estimates averaged in each row (default 1000)", settings.mc_estimates, 1,
-                100000);
-    options.add("bmc-estimates", "M", "BMC estimates averaged in each row (default 1000)", settings.bmc_estimates, 1,
-                100000);
+    options.add("mc-estimates", "M", "MC estimates averaged in each row", settings.mc_estimates, 1, 100000);
+    options.add("bmc-estimates", "M", "BMC estimates averaged in each row", settings.bmc_estimates, 1, 100000);
     add_model_options(options, settings);
 }
 

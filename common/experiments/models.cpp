@@ -77,7 +77,7 @@ double log_evidence(const GaussianProcess& process, const std::vector<double>& v
 
 void ModelsReport::add_options(Options& options) {
     options.add("environment", "FILE", environment_help(), environment);
-    options.add("samples", "N", "directions of each process (default 40)", samples, 1, 400);
+    options.add("samples", "N", "directions of each process", samples, 1, 400);
 }
 
 std::string ModelsReport::report() const {

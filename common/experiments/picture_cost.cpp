@@ -37,8 +37,8 @@ static std::size_t seeds_of(const RenderSettings& settings) {
 
 void PictureReport::add_options(Options& options) {
     options.add("environment", "FILE", "one light, as for the renderer (default: each built-in light)", environment);
-    options.add("size", "W", "of the pictures, W x W pixels (default 64)", costs.size, 2, 1024);
-    options.add("seed", "K", "seed of the random numbers (default 1)", costs.seed, 0, UINT64_MAX);
+    options.add("size", "W", "of the pictures, W x W pixels", costs.size, 2, 1024);
+    options.add("seed", "K", "seed of the random numbers", costs.seed, 0, UINT64_MAX);
     options.add("no-times", "leaves out what is measured and differs from run to run", costs.untimed);
 }
 

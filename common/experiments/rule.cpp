@@ -124,7 +124,7 @@ Samples read_samples(std::istream& in) {
 }
 
 void RuleReport::add_options(Options& options) {
-    options.add("samples", "N", "directions of the rule (default 40)", samples, 1, max_process_samples);
+    options.add("samples", "N", "directions of the rule", samples, 1, max_process_samples);
     options.add("directions", "FILE", "read directions from FILE, a line x y z [value] each (-: standard input)",
                 directions);
     options.add("matrices", "print Q and its inverse, too", matrices);

@@ -11,16 +11,17 @@ static void set_size(RenderSettings& settings, const std::string& text) {
 
 void PictureRequest::add_options(Options& options) {
     options.add("method", method_names, settings.method);
-    options.add("samples", "N", "directions per pixel (default 40)", settings.samples, 1, max_process_samples);
-    options.add("pool", "K", "Gaussian processes of --method pool (default 20)", settings.pool, 1, 1000);
+    options.add("samples", "N", "directions per pixel", settings.samples, 1, max_process_samples);
+    options.add("pool", "K", "Gaussian processes of --method pool", settings.pool, 1, 1000);
     add_model_options(options, settings);
-    options.add({"size", "WxH", "in pixels, or W for a square (default 500x500)",
+    options.add({"size", "WxH",
+                 formatted("in pixels, or W for a square (default %dx%d)", settings.width, settings.height),
                  [this](const std::string& text) { set_size(settings, text); }});
     options.add("environment", "FILE", environment_help(), environment);
-    options.add("exposure", "X", "brighten a PPM or BMP by X stops (default 0)", exposure, -200, 200);
+    options.add("exposure", "X", "brighten a PPM or BMP by X stops", exposure, -200, 200);
     options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
-    options.add("threads", "T", "number of threads; the picture does not change (default: all processors)",
-                settings.threads, 1, 256);
+    options.add({"threads", "T", "number of threads; the picture does not change (default: all processors)",
+                 [this](const std::string& text) { settings.threads = parse<std::size_t>(text, 1, 256); }});
     options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, "with --method mc",
                       [this] { return settings.method == Method::mc; });
     options.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
