@@ -11,12 +11,13 @@
 # make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
 # make figures      draws the figures of the pages from the programs' output
 # make seconds      measures the times that one of the figures shows: on a quiet machine
+# make syntax       whether each source and header compiles alone: by CXX, clang++ with libc++, at its strictest
 # make format-check whether clang-format would change a source (the lines of smallbmc.cpp are set by hand)
 
 # With UNIT_AS_ONE=yes the unit tests are one source: a third of the time where they only run.
 TESTS = $(if $(UNIT_AS_ONE),$(BUILD)/unit_sources.o,$(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp)))
 .PHONY: doctest test unit references handout grade mutations portability sanitizers threads fuzz figures seconds
-.PHONY: format-check
+.PHONY: format-check syntax
 
 # Unit tests take longer to compile than to run, and their header longest: it is read once, but for main.cpp, which sets
 # doctest up.
@@ -80,12 +81,14 @@ SANITIZED = $(BUILD)/sanitizers
 sanitizers:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined" $(ONE_SOURCE) \
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) all $(SANITIZED)/unit_tests $(SANITIZED)/compare
-	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run product
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run has_symbols __asan_init __ubsan_handle_add_overflow_abort
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) QUICK=yes tests/output/run product
 
 THREADS = $(BUILD)/threads
 threads:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=thread" $(ONE_SOURCE) \
 	    BUILD=$(THREADS) BIN=$(THREADS) $(THREADS)/renderer $(THREADS)/compare
+	BUILD=$(THREADS) BIN=$(THREADS) tests/output/run has_symbols __tsan_init
 	BUILD=$(THREADS) BIN=$(THREADS) tests/output/run references '*.p?m' --threads 7
 
 # What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.
@@ -104,6 +107,14 @@ $(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(COMMON)
 
 figures seconds: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
+
+# A header that is included first, and alone. libc++ includes fewer of its headers than others do, without these.
+ALONE = $(wildcard *.cpp common/*/*.cpp common/*/*/*.cpp common/*/*.h common/*/*/*.h)
+syntax: $(ALONE:%=$(BUILD)/syntax/%)
+	@echo "$(words $^) passed, 0 failed"
+$(BUILD)/syntax/%: % always
+	$(call say,SYNTAX $<) $(CXX) $(LANGUAGE) $(WARNINGS) -Werror -Icommon -stdlib=libc++ \
+	    -D_LIBCPP_REMOVE_TRANSITIVE_INCLUDES -fsyntax-only -include $< -x c++ /dev/null
 
 format-check:
 	@tests/require_tool clang-format format-check

@@ -14,10 +14,15 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
         return stderr_of([&] { warn_of_exposure(image, exposure); });
     };
     CHECK(warning(50, 0, [](double) { return 1; }) == "");
-    CHECK(warning(50, 0, [](double place) { return place > 0.91 ? 8 : 0; }) == "");
-    CHECK(warning(50, 0, [](double place) { return place > 0.89 ? 8 : 0; }) ==
+    double n = 0;  // the rank of a pixel from the darkest, from 1 to n, is n times its place
+    for_each_hit(sphere_scene, {50, 50}, [&](int, int, const Hit&) { ++n; });
+    const double tenth = std::floor(n / 10), hundredth = std::floor(n / 100);
+    CHECK(warning(50, 0, [=](double place) { return place * n > n - tenth + 0.5 ? 8 : 0; }) == "");
+    CHECK(warning(50, 0, [=](double place) { return place * n > n - tenth - 0.5 ? 8 : 0; }) ==
           Containing{"brighter than white; --exposure -3.0 makes the brightest hundredth white"});
     CHECK(warning(50, -0.5, [](double) { return 4; }) == Containing{"--exposure -2.5 "});
+    CHECK(warning(50, 0, [=](double place) { return std::exp2(place * n - n + 500); }) ==
+          Containing{formatted("--exposure %.1f ", hundredth - 500)});
     CHECK(warning(8, 0, [](double place) { return std::exp2(10 * place); }) == Containing{"--exposure -10.0 "});
 }
 
@@ -90,7 +95,8 @@ TEST_CASE("samples miss a light if 1.4 times its contrast is above half the root
         CHECK(missed == !text.empty());
         return text;
     };
-    CHECK(note(map, most) == Containing{"note: in random directions expect an error of about 50 % of the picture's brightness with"});
+    CHECK(note(map, most) ==
+          Containing{"note: in random directions expect an error of about 50 % of the picture's brightness with"});
     CHECK(note(map, most) == Containing{formatted("%zu samples: the standard deviation of the light is", most)});
     CHECK(note(map, most + 1).empty());
     CHECK(note(map, 1) == Containing{"about " + two_digits(140 * c) + " %"});

@@ -13,6 +13,7 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     const Vec3 w = sampler_of(Placement::fibonacci, 1)(random)[0];
     const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
     const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
+    CHECK(!contains(printed, "note:"));
     CHECK(printed == Containing{formatted(": estimate %.5g, standard error %.3g, truth ", 0.5 * z / q, error)});
     parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
     const std::string cosine = stderr_of([&] { belief.report(); });
@@ -55,15 +56,11 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
 
 // One column of 63 has 512 where all others have 1/2: a lamp, which the only sample misses. Interpolated between
 // columns it has the mean square (2/3) 512^2 / 63, of whose root 1/2 is 0.95 %; the sphere hides a little of it.
-TEST_CASE("belief says that its samples have missed a lamp, and does not where there is none") {
-    const auto notes = [](char exponent) {
-        std::string texels;
-        for (int x = 0; x < 64; ++x) texels += "\200\200\200" + std::string(1, x == 4 ? exponent : '\200');
-        const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 64\n" + texels);
-        Belief belief;
-        parse({"--environment", light.name, "--samples=1", "--placement=fibonacci"}, belief.options());
-        return stderr_of([&] { belief.report(); });
-    };
-    CHECK(notes('\212') == Containing{"note: the samples have seen 0.9"});
-    CHECK(!contains(notes('\200'), "note:"));
+TEST_CASE("belief says that its samples have missed a lamp") {
+    std::string texels;
+    for (int x = 0; x < 64; ++x) texels += x == 4 ? "\200\200\200\212" : "\200\200\200\200";
+    const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 64\n" + texels);
+    Belief belief;
+    parse({"--environment", light.name, "--samples=1", "--placement=fibonacci"}, belief.options());
+    CHECK(stderr_of([&] { belief.report(); }) == Containing{"note: the samples have seen 0.9"});
 }

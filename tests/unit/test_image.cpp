@@ -1,7 +1,7 @@
 #include "scene/image.h"
 #include "test.h"
 
-static std::string text_of(const std::vector<unsigned char>& bytes) { return {bytes.begin(), bytes.end()}; }
+static std::string text_of(const std::vector<int>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 // 0.5 encodes to 187.5160, 0.0031308 to 12.92 * 0.0031308 * 255 = 10.31, 0.0001 to 0.33; what is no number is black.
 TEST_CASE("PPM: header, rows from the top, sRGB bytes, clamped") {
@@ -16,8 +16,10 @@ TEST_CASE("BMP: header, rows from the bottom, padded, blue first") {
     image(0, 0) = {1, 0, 0};
     image(2, 1) = {0, 0.5, 1};
     const std::string bmp = encode(image, Format::bmp);
-    CHECK(bmp.substr(0, 30) ==
-          "BM" + text_of({78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0}));
+    std::string header = "BM";  // one plane of 24 bits, 3780 pixels per metre, no other colours
+    for (const int word : {78, 0, 54, 40, 3, 2, 1 + 24 * 65536, 0, 24, 3780, 3780, 0, 0})
+        header += text_of({word % 256, word / 256 % 256, word / 65536, 0});
+    CHECK(bmp.substr(0, 54) == header);
     CHECK(bmp.substr(54) == text_of({0, 0, 0, 0, 0, 0, 255, 188, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
 }
 

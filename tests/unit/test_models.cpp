@@ -1,5 +1,21 @@
+#include "experiments/error_table.h"
 #include "experiments/reports.h"
 #include "test.h"
+
+TEST_CASE("the options of a report take what it has memory and time for") {
+    const auto takes = [](Experiment&& report, const std::string& word) {
+        return message_of([&] { parse({word}, report.options()); }).empty();
+    };
+    for (const bool more : {false, true}) {
+        CHECK(takes(Belief(), more ? "--samples=401" : "--samples=400") != more);
+        CHECK(takes(ModelsReport(), more ? "--samples=401" : "--samples=400") != more);
+        CHECK(takes(RuleReport(), more ? "--samples=4097" : "--samples=4096") != more);
+        CHECK(takes(TradeoffReport(), more ? "--size=1025" : "--size=1024") != more);
+        CHECK(takes(TradeoffReport(), more ? "--size=1" : "--size=2") != more);
+        CHECK(takes(ErrorTables(), more ? "--mc-estimates=100001" : "--mc-estimates=100000") != more);
+        CHECK(takes(ErrorTables(), more ? "--bmc-estimates=100001" : "--bmc-estimates=100000") != more);
+    }
+}
 
 // Two samples: Q = [a b; b a], whose inverse and determinant are elementary.
 TEST_CASE("the log evidence is the density's logarithm with the best amplitude") {

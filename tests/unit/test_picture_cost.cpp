@@ -11,6 +11,22 @@ TEST_CASE("the table has Monte Carlo's samples for the same error, and the effic
                   "pool 3 uniform light 40 0.10000 0.00000 0.0000 0.00000 160 6 2\n"));
 }
 
+TEST_CASE("a picture is compared over 16 seeds, 64 where pixels share one rule, or 4 where these would take long") {
+    const EnvironmentMap map = coloured_map(16, 9);
+    const auto seeds = [&](Method method, std::size_t pool, std::size_t samples, int size) {
+        CostSettings costs;
+        costs.size = size;
+        costs.untimed = true;
+        Image truth(size, size);
+        truth.pixels.assign(truth.pixels.size(), {1, 1, 1});
+        return measured_picture(compared_picture(map, method, pool, Placement::uniform), samples, costs, truth)
+            .rmse.squares.count;
+    };
+    CHECK(Numbers{seeds(Method::mc, 1, 1, 128), seeds(Method::mc, 1, 1, 129)} == Numbers{16, 4});
+    CHECK(Numbers{seeds(Method::direct, 1, 40, 4), seeds(Method::direct, 1, 41, 4)} == Numbers{16, 4});
+    CHECK(Numbers{seeds(Method::single, 1, 1, 4), seeds(Method::pool, 3, 1, 4)} == Numbers{64, 16});
+}
+
 TEST_CASE("a light that reaches nothing has no errors to compare") {
     const EnvironmentMap map = coloured_map(16, 9);
     CHECK_THROWS_AS(measured_picture(compared_pictures(map)[0], 3, {}, Image(6, 6)), std::runtime_error);

@@ -54,13 +54,13 @@ TEST_CASE("a pilot is a small picture, every k-th pixel of a large one, or as ma
     const EnvironmentLight light(map, false, 1);
     RenderSettings settings = small_picture(Method::rotated, 5, 60);
     CHECK(relative(pilot_rmse(light, settings, 0), rmse_by_better(light, settings, 0, 1)) < 1e-12);
-    settings.width = settings.height = 300;
+    settings.width = settings.height = 256;
     const double half = rmse_by_better(light, settings, 1, 2), whole = rmse_by_better(light, settings, 0, 1);
     CHECK(relative(pilot_rmse(light, settings, 0), half) < 1e-12);
-    CHECK(relative(pilot_rmse(light, settings, 5 * 10000), half) < 1e-12);
-    CHECK(relative(pilot_rmse(light, settings, 5 * 20000), whole) < 1e-12);  // of 59,000 pixels with an object
+    CHECK(relative(pilot_rmse(light, settings, 5 * 5000), half) < 1e-12);
+    CHECK(relative(pilot_rmse(light, settings, 5 * 15000), whole) < 1e-12);  // of 43,000 pixels with an object
     settings.threads = 2;
-    CHECK(pilot_rmse(light, settings, 1e9) == pilot_rmse(light, settings, 5 * 20000));
+    CHECK(pilot_rmse(light, settings, 1e9) == pilot_rmse(light, settings, 5 * 15000));
     CHECK(pilot_rmse({black, false, 1}, settings, 0) == 0);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("as many samples are chosen as have the RMSE that is asked for") {
 TEST_CASE("a pilot has the rays that meet all of a light, unless it is known") {
     EnvironmentMap lamp = even_map(64, 32, 1);
     for (int x = 20; x < 30; ++x) lamp.set(x, 8, {500, 500, 500});  // a kurtosis of 200
-    RenderSettings settings = small_picture(Method::mc, 1, 260);
+    RenderSettings settings = small_picture(Method::mc, 1, 256);
     for (const bool by_visibility : {false, true}) {
         CAPTURE(by_visibility);
         const EnvironmentLight light(lamp, by_visibility, 1);

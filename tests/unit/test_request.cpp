@@ -12,12 +12,13 @@ TEST_CASE("of two known factors the last one counts") {
     CHECK(!request.by_visibility);
 }
 
-TEST_CASE("errors in a PFM are as predicted") {
+TEST_CASE("errors in a PFM are as predicted, of each colour") {
     Request request;
     request.settings = small_picture(Method::mc, 5, 16);
     request.show = Show::error;
     request.format = Format::pfm;
     Image errors(1, 1);
     const std::string note = stderr_of([&] { errors = request.image(coloured_map(32, 17)); });
+    CHECK(std::any_of(errors.pixels.begin(), errors.pixels.end(), [](Colour each) { return each.x != each.y; }));
     CHECK(note == Containing{formatted("5 samples for a predicted RMSE of %.2g\n", root_mean_square(errors))});
 }
