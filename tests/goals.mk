@@ -39,8 +39,7 @@ $(BUILD)/unit_tests: $(TESTS) $(COMMON) tests/unit
 
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o $(COMMON)
 $(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o $(COMMON)
-$(BUILD)/verdict: $(BUILD)/tests/course/verdict.o
-$(BUILD)/compare $(BUILD)/check_tasks $(BUILD)/verdict:
+$(BUILD)/compare $(BUILD)/check_tasks:
 	$(call say,LINK $@) $(LINK) -o $@
 
 test: all $(BUILD)/unit_tests $(BUILD)/compare

@@ -1,6 +1,5 @@
 # make check        which functions are right, which are wrong and why, and which are not written yet
 # make check TASK=z             of one task, or function
-# make check TASK=z_of ALL=yes  with all its numbers, as they are and right
 # make test         your own tests, which begin in tests/test_process.cpp
 # make hand-in      hand-in.tar.gz: the files with tasks
 
@@ -13,7 +12,8 @@ CHECK = $(BUILD)/tests/check
 TASK_SOURCES := $(shell bash -c '. tests/tasks && echo $${files[*]}')
 MINE = $(TASK_SOURCES:%.cpp=$(CHECK)/%.o)
 HANDED_OUT = $(TASK_SOURCES:%.cpp=$(CHECK)/tests/handed_out/%.o)
-OTHERS = $(CHECK)/tests/check_tasks.o $(filter-out $(TASK_SOURCES:%.cpp=$(BUILD)/%.o),$(COMMON))
+GIVEN = $(filter-out $(TASK_SOURCES:%.cpp=$(BUILD)/%.o),$(COMMON))
+OTHERS = $(CHECK)/tests/check_tasks.o $(GIVEN)
 CHECK_COMPILE = $$(cat $(CHECK)/compiler) $(HEADERS:%=-include $(CHECK)/standard.h) -Icommon -MMD -MP -c $< -o $@
 
 $(CHECK)/compiler: tests/tasks $(BUILD)/settings $(HEADERS:=.gch)
@@ -28,10 +28,10 @@ $(MINE): $(CHECK)/%.o: %.cpp $(HANDED_OUT) $(OTHERS)
 	    then rm $(@:.o=.err) $(@:.o=); else cp $(CHECK)/tests/handed_out/$*.o $@; fi
 $(CHECK)/check_tasks: $(MINE) $(OTHERS)
 	$(call say,LINK $@) $$(cat $(CHECK)/compiler) $^ -o $@
-$(BUILD)/verdict: $(BUILD)/tests/verdict.o
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(GIVEN) $(HANDED_OUT)
 	$(call say,LINK $@) $(LINK) -o $@
-check: $(BUILD)/verdict $(CHECK)/check_tasks
-	@BUILD=$(BUILD) bash tests/check $(if $(ALL),--all) $(TASK)
+check: $(BUILD)/compare $(CHECK)/check_tasks
+	@BUILD=$(BUILD) bash tests/check $(TASK)
 
 TESTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/test_*.cpp))
 $(TESTS): EXTRA = -O1
@@ -42,5 +42,6 @@ test:
 	    { echo 'make test needs doctest: apt-get install doctest-dev, or brew install doctest' >&2; false; }
 	@$(MAKE) $(BUILD)/tests/all_tests && $(BUILD)/tests/all_tests
 
+# Without the variable, tar on a Mac adds a file ._NAME for each.
 hand-in:
-	tar -czf hand-in.tar.gz $(TASK_SOURCES)
+	COPYFILE_DISABLE=1 tar -czf hand-in.tar.gz $(TASK_SOURCES)
