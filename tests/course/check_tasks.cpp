@@ -25,16 +25,13 @@ void value(const std::string& what, double number) {
     std::fprintf(lines, "%s%s %.12g\n", in.c_str(), what.c_str(), number);
     std::fflush(lines);
 }
-
 void vector(const std::string& what, Vec3 v) {
     value(what + ".x", v.x), value(what + ".y", v.y), value(what + ".z", v.z);
 }
-
 void numbers(const std::string& what, const Numbers& of) {
     value(what + ".size()", static_cast<double>(of.size()));
     for (std::size_t i = 0; i < of.size(); ++i) value(what + formatted("[%zu]", i), of[i]);
 }
-
 void matrix(const std::string& what, const Matrix& m) {
     value(what + ".elements.size()", static_cast<double>(m.elements.size()));
     for (std::size_t i = 0; i < m.rows; ++i)
@@ -64,7 +61,6 @@ Directions directions_of(std::size_t n) {
     Random random(seed, n);
     return random_directions(n, random);
 }
-
 Numbers numbers_of(std::size_t n, std::uint64_t stream) {
     Random random(seed, stream);
     Numbers of(n);
