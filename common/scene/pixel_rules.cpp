@@ -45,18 +45,21 @@ OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
         case Method::mc:
             if (shared.empty()) return {frame, fresh_rule(random)};
             return {frame.rotated(random.uniform()), shared[0]};
-        case Method::direct:
+        case Method::direct: {
             // BEGIN SOLUTION rule_for
             return {frame, fresh_rule(random)};
             // END SOLUTION
-        case Method::single:
+        }
+        case Method::single: {
             // BEGIN SOLUTION rule_for
             return {frame, shared[0]};
             // END SOLUTION
-        case Method::rotated:
+        }
+        case Method::rotated: {
             // BEGIN SOLUTION rule_for
             return {frame.rotated(random.uniform()), shared[0]};
             // END SOLUTION
+        }
         case Method::pool: break;
     }
     // BEGIN SOLUTION rule_for
