@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -17,6 +16,7 @@ namespace bmc {
 // one line that begins with the name. hint: what it adds to the system's words for a file that cannot be opened.
 template <class Read>
 auto read_file(const std::string& name, Read read, const std::string& hint = "") {
+    std::ios::sync_with_stdio(false);  // so that std::cin, like a file, throws if it cannot be read
     std::ifstream file(name, std::ios::binary);
     const int reason = errno;
 #ifdef _WIN32
@@ -25,11 +25,10 @@ auto read_file(const std::string& name, Read read, const std::string& hint = "")
     std::string problem = "it cannot be read to its end";
     try {
         if (name != "-" && !file) throw std::runtime_error(std::strerror(reason) + hint);
-        auto content = read(name == "-" ? std::cin : file);
-        if (!std::ferror(stdin)) return content;
+        return read(name == "-" ? std::cin : file);
     } catch (const std::ios_base::failure&) {
     } catch (const std::runtime_error& error) {
-        if (!std::ferror(stdin)) problem = error.what();
+        problem = error.what();
     }
     throw std::runtime_error((name == "-" ? "standard input" : name) + ": " + problem);
 }

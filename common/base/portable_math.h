@@ -11,9 +11,8 @@
 #error "fast-math reorders sums and changes the output: compile without -ffast-math, -Ofast and their parts"
 #endif
 
-// A contracted a * b + c rounds once instead of twice. clang tells by no macro that it may reorder sums or divide by a
-// reciprocal, and before version 18 has no word against the latter. These lines are for whoever compiles without the
-// Makefile, whose flags forbid all three.
+// A contracted a * b + c rounds once instead of twice. These lines are for whoever compiles without the Makefile, whose
+// flags forbid that, and what clang tells by no macro: reordered sums, and reciprocals (no pragma before version 18).
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #pragma clang fp reassociate(off)

@@ -25,8 +25,7 @@ void Request::add_options(Options& options) {
         });
     options.make_idle({"known"}, "with --method mc",
                       [this] { return settings.method == Method::mc && !by_visibility; });
-    options.add({"rmse", "X", "use as few samples as reach this predicted RMSE (instead of --samples)",
-                 [this](const std::string& text) { rmse = parse(text, 1e-9, 1e9); }});
+    options.add("rmse", "X", "take as few samples as reach this predicted RMSE; 0: --samples", rmse, 0, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
     options.make_idle({"samples"}, "with --rmse", [this] { return rmse > 0; });
 }

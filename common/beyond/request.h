@@ -16,7 +16,7 @@ struct Request : PictureRequest {
 
     void add_options(Options& options) override;
 
-    // What the file shows. Prints the prediction on stderr. Throws std::runtime_error for an RMSE that takes too many
+    // What the file shows. Prints the prediction on stderr. Throws std::runtime_error if an RMSE takes too many
     // samples.
     Image image(const EnvironmentMap& map) const override;
 };

@@ -90,11 +90,9 @@ std::string run_command(const Command& command, const std::string& usage, int ar
     if (help) return usage + '\n' + describe(options);
     if (optind < argc)
         throw std::invalid_argument(
-            formatted("unexpected argument '%s': options begin with --, and a command stands before them; try --help",
-                      argv[optind]));
+            formatted("unexpected argument '%s'; a command stands before all options; try --help", argv[optind]));
     if (!command.file.empty() && isatty(STDOUT_FILENO))
-        throw std::invalid_argument(std::string("the picture would go to the terminal; type ./") + program_name + ' ' +
-                                    command.name + (command.name.empty() ? "> " : " > ") + command.file);
+        throw std::invalid_argument("the picture would go to the terminal; add > " + command.file);
     for (const Option& option : options.all)
         for (const auto& [with, holds] : option.idle)
             if (given.count(option.name) > 0 && holds())

@@ -38,11 +38,6 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
                       white_brightness(rule), noise_gain(rule));
 }
 
-static const char* const premise =
-    R"(# The weights are right if nobody looked at f to choose these directions. If some were drawn towards the light,
-# an estimate is far too bright: let f be the visibility alone, 0 or 1, and the light a known factor.
-)";
-
 static std::string estimate_line(const GaussianProcess& process, KnownPart p, const std::vector<double>& values) {
     const double estimate = process.integral(values), error = process.standard_error(values);
     const double amplitude = process.amplitude(values);
@@ -112,8 +107,6 @@ Samples read_samples(std::istream& in) {
     std::size_t number = 1;
     for (; in.getline(line, sizeof line) && number < 65536; ++number) {
         std::string text(line, static_cast<std::size_t>(in.gcount()) - !in.eof());
-        if (number == 1 && (text.compare(0, 2, "\xff\xfe") == 0 || text.compare(0, 2, "\xfe\xff") == 0))
-            throw error_in(number, "the file is UTF-16, as PowerShell's > writes it; save it as UTF-8");
         if (number == 1 && text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);  // a byte order mark
         add_line(samples, text, number);
     }
@@ -137,14 +130,14 @@ std::string RuleReport::report() const {
     if (!directions.empty()) model.placement = {};  // directions in a file have a density that nobody knows
     const auto covariance = model.make_covariance();
     Random random(settings.seed, 0);
-    Samples given;
-    if (directions.empty())
-        given.directions = sampler_of(settings.placement, samples)(random);
-    else
-        given = read_file(directions, read_samples);
+    const Samples given = directions.empty() ? Samples{sampler_of(settings.placement, samples)(random)}
+                                             : read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);
     std::string text = weights_block(process, covariance->known_part());
-    if (!directions.empty()) text += premise;
+    if (!directions.empty())
+        text += R"(# The weights are right if nobody looked at f to choose the directions. If some were drawn
+# towards the light, an estimate is far too bright: let f be the visibility, and the light a known factor.
+)";
     if (!given.values.empty()) text += estimate_line(process, covariance->known_part(), given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +

@@ -38,51 +38,36 @@ static std::string rule_report() {
 # instead of its closed form.
 # samples       draw          Q     factor          z    weights     z50000
 )";
-    constexpr const char* steps[] = {"draw", "Q", "factor", "z", "weights"};
     const RenderSettings usual;
-    std::vector<double> usual_seconds;
+    double usual_seconds = 0, sum_seconds = 0;  // of all steps, and of z by the sum
     for (const std::size_t n : {10u, 20u, 40u, 100u, 200u, 500u}) {
         const std::vector<double> seconds = rule_seconds(n);
-        if (n == usual.samples) usual_seconds = seconds;
+        if (n == usual.samples) {
+            usual_seconds = std::accumulate(seconds.begin(), seconds.end() - 1, 0.0);
+            sum_seconds = seconds.back();
+        }
         text += formatted("%9zu", n);
         for (const double step_seconds : seconds) text += formatted(" %10.3g", 1e6 * step_seconds);
         text += '\n';
     }
-    const auto end = usual_seconds.end() - 1;  // of the steps, before z by the sum
-    const auto costly = std::max_element(usual_seconds.begin(), end) - usual_seconds.begin();
     double pixels = 0;
     for_each_hit(sphere_scene, {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
     return text +
            formatted(
                R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes
-# %.2g seconds, and the step %s most of it. From 50,000 random directions, z alone would take %.2g minutes.
+# %.2g seconds. From 50,000 random directions, z alone would take %.2g minutes.
 
 
 )",
-               usual.width, usual.height, pixels, usual.samples,
-               pixels * std::accumulate(usual_seconds.begin(), end, 0.0), steps[costly], pixels * *end / 60);
+               usual.width, usual.height, pixels, usual.samples, pixels * usual_seconds, pixels * sum_seconds / 60);
 }
-
-static const char* const meaning =
-    R"(# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its
-# standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean square
-# of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
-# integrand.
-)";
-static const char* const measured =
-    R"(# Measured here: seconds for a million pixels of objects on one processor; efficiency, 1 / (rmse^2 seconds), is
-# that relative to mc.
-)";
 
 void TradeoffReport::add_options(Options& options) {
     PictureReport::add_options(options);
     add_sample_list(options, samples);
 }
 
-std::string TradeoffReport::report() const {
-    const std::string pictures = PictureReport::report();  // first: a light that cannot be read is told at once
-    return (costs.untimed ? "" : rule_report()) + pictures;
-}
+std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
 
 std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
     const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
@@ -96,6 +81,13 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
             progress.done();
         }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
-           name + ".\n" + meaning + (costs.untimed ? "" : measured) + picture_table(rows, !costs.untimed);
+           name +
+           R"(.
+# Against a dense quadrature, over 4 to 64 seeds. rmse: linear, over the pixels that show an object, with its
+# standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness: root mean square
+# of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
+# integrand. Where times are measured, here: seconds for a million pixels of objects on one processor; efficiency,
+# 1 / (rmse^2 seconds), is that relative to mc.
+)" + picture_table(rows, !costs.untimed);
 }
 }  // namespace bmc

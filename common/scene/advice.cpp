@@ -14,12 +14,10 @@ bool note_missed_light(const EnvironmentMap& light, std::size_t samples) {
     return true;
 }
 
-// In the mean over the shared rules, or over some fresh ones where pixels share none: twenty, or fewer if they are
-// large.
+// On average over the shared rules, or over four fresh ones where pixels share none.
 static void warn_of_weights(const PixelRules& rules) {
     SharedRules examined = rules.shared;
-    const std::size_t fresh = std::clamp<std::size_t>(8000 / rules.settings.samples, 2, 20);  // so that none wait
-    for (int x = 0; x < static_cast<int>(fresh) && rules.shared.empty(); ++x) {
+    for (int x = 0; x < 4 && rules.shared.empty(); ++x) {
         Random random = pixel_stream(rules.settings, x, 0);
         examined.push_back(rules.fresh_rule(random));
     }

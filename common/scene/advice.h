@@ -5,8 +5,8 @@
 
 namespace bmc {
 // Prints a note on what to expect of so many samples in random directions, if they miss this light, and returns whether
-// they do: if an error of 1.4 c / sqrt(samples) is above half of the picture's brightness, c being the light's contrast.
-// 1.4 is the median over 21 lights, from 0.9 to 2.6; for one small lamp 2 / sqrt(3) = 1.155 can be derived.
+// they do: if 1.4 c / sqrt(samples), the error over the brightness, is above a half. c is the contrast of the light,
+// and 1.4 the median over 21 lights, from 0.9 to 2.6; for one small lamp 2 / sqrt(3) = 1.155 can be derived.
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples);
 
 // environment_shader by the rules of these settings. Before it a warning, if their error is more than twice that of

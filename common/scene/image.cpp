@@ -61,11 +61,8 @@ double srgb_to_linear(double code) {
 }
 
 std::string encode(const Image& image, Format format) {
-    switch (format) {
-        case Format::ppm: break;
-        case Format::pfm: return to_pfm(image);
-        case Format::bmp: return to_bmp(image);
-    }
+    if (format == Format::pfm) return to_pfm(image);
+    if (format == Format::bmp) return to_bmp(image);
     return formatted("P6\n%d %d\n255\n", image.width, image.height) + srgb_codes(image);
 }
 }  // namespace bmc

@@ -7,15 +7,11 @@ PixelRules::PixelRules(const RenderSettings& picture_settings)
       sampler(sampler_of(settings.placement, settings.samples)),
       shared(shared_count() > 0 ? shared_rules() : SharedRules{}) {}
 
+// Rules of a fixed set differ by a rotation alone, so that one will do.
 std::size_t PixelRules::shared_count() const {
-    switch (settings.method) {
-        case Method::mc: return is_fixed(settings.placement) ? 1 : 0;
-        case Method::direct: return 0;
-        case Method::single:
-        case Method::rotated: return 1;
-        case Method::pool: break;
-    }
-    return is_fixed(settings.placement) ? 1 : settings.pool;  // rules of one set differ by a rotation alone
+    const bool fixed = is_fixed(settings.placement);
+    if (settings.method == Method::direct || (settings.method == Method::mc && !fixed)) return 0;
+    return settings.method == Method::pool && !fixed ? settings.pool : 1;
 }
 
 // The shared_count() rules, made once: rule i by fresh_rule and rule_stream(settings, i).

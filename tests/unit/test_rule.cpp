@@ -50,8 +50,6 @@ TEST_CASE("a line that is no direction is named, with what is wrong and what to 
     for (const auto& [lines, count, before] : {std::tuple("0 1 0\n0 1 0 5\n", 4, 3), {"0 1 0 5\n0 1 0\n", 3, 4}})
         refused(lines, formatted("line 2: %d columns, where earlier lines have %d", count, before));
     refused("0 1 0\n1 -1e-17 0\n", "line 2: y = -1e-17 is below the horizon; directions have y >= 0");
-    for (const char* mark : {"\xff\xfe", "\xfe\xff"})
-        refused(mark + std::string("0"), "line 1: the file is UTF-16, as");
 }
 
 TEST_CASE("the number of directions is 1 to 4096, and that of lines and characters limited") {
