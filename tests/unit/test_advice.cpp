@@ -76,7 +76,7 @@ TEST_CASE("the defaults give no warning at any number of samples and placement")
 
 TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
     for (const auto& [number, text] :
-         {std::pair(1.0, "1"), {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}, {2.04e79, "2e+79"}})
+         {std::pair(1.0, "1"), {2.6, "3"}, {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}, {2.04e79, "2e+79"}})
         CHECK(two_digits(number) == text);
 }
 
