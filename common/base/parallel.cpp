@@ -4,6 +4,7 @@
 #include <atomic>
 #include <future>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace bmc {
