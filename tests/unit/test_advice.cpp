@@ -15,13 +15,13 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
     };
     CHECK(warning(50, 0, [](double) { return 1; }) == "");
     double n = 0;  // the rank of a pixel from the darkest, from 1 to n, is n times its place
-    for_each_hit(sphere_scene, {50, 50}, [&](int, int, const Hit&) { ++n; });
+    for_each_hit(sphere_scene, {200, 200}, [&](int, int, const Hit&) { ++n; });
     const double tenth = std::floor(n / 10), hundredth = std::floor(n / 100);
-    CHECK(warning(50, 0, [=](double place) { return place * n > n - tenth + 0.5 ? 8 : 0; }) == "");
-    CHECK(warning(50, 0, [=](double place) { return place * n > n - tenth - 0.5 ? 8 : 0; }) ==
+    CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth + 0.5 ? 8 : 0; }) == "");
+    CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth - 0.5 ? 8 : 0; }) ==
           Containing{"brighter than white; --exposure -3.0 makes the brightest hundredth white"});
     CHECK(warning(50, -0.5, [](double) { return 4; }) == Containing{"--exposure -2.5 "});
-    CHECK(warning(50, 0, [=](double place) { return std::exp2(place * n - n + 500); }) ==
+    CHECK(warning(200, 0, [=](double place) { return std::exp2(place * n - n + 500); }) ==
           Containing{formatted("--exposure %.1f ", hundredth - 500)});
     CHECK(warning(8, 0, [](double place) { return std::exp2(10 * place); }) == Containing{"--exposure -10.0 "});
 }
@@ -61,22 +61,14 @@ TEST_CASE("weights that are too bright give a warning, and the default cures the
               " % too bright, more than twice Monte Carlo's error; take the default method, covariance and noise"});
 }
 
-TEST_CASE("the defaults give no warning at any number of samples and placement") {
-    for (std::size_t placement = 0; placement < std::size(placement_names); ++placement)
-        for (const std::size_t samples : {1u, 2u, 3u, 5u, 8u, 13u, 21u, 34u, 55u, 89u, 144u})
-            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-                RenderSettings settings = RenderSettings();
-                settings.placement = static_cast<Placement>(placement);
-                settings.samples = samples;
-                settings.seed = seed;
-                CHECK_MESSAGE(warning_of(settings).empty(),
-                              placement_names[placement] << ' ' << samples << ' ' << seed);
-            }
-}
-
 TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
-    for (const auto& [number, text] :
-         {std::pair(1.0, "1"), {2.6, "3"}, {99.6, "100"}, {145, "140"}, {155, "160"}, {1.26e5, "130000"}, {2.04e79, "2e+79"}})
+    for (const auto& [number, text] : {std::pair(1.0, "1"),
+                                       {2.6, "3"},
+                                       {99.6, "100"},
+                                       {145, "140"},
+                                       {155, "160"},
+                                       {1.26e5, "130000"},
+                                       {2.04e79, "2e+79"}})
         CHECK(two_digits(number) == text);
 }
 
@@ -101,16 +93,4 @@ TEST_CASE("samples miss a light if 1.4 times its contrast is above half the root
     CHECK(note(map, most + 1).empty());
     CHECK(note(map, 1) == Containing{"about " + two_digits(140 * c) + " %"});
     CHECK(note(EnvironmentMap(2, 2), 1).empty());
-}
-
-// Of directions over the whole sphere, in the mean.
-TEST_CASE("of the pixels of objects the part q sees a lamp, and 1.4 is the root of 2 / (3 q)") {
-    double seen = 0, all = 0;
-    for (const Vec3 w : fibonacci_directions(300))
-        for (const Vec3 lamp : {w, {-w.x, -w.y, -w.z}})
-            for_each_hit(sphere_scene, {32, 32}, [&](int, int, const Hit& hit) {
-                seen += dot(hit.normal, lamp) > 0 && !is_shadowed(sphere_scene, hit, lamp);
-                ++all;
-            });
-    CHECK(std::fabs(std::sqrt(2 * all / (3 * seen)) - 1.4) < 0.05);
 }

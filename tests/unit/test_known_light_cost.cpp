@@ -8,17 +8,6 @@ static Image truth_with_sun(const EnvironmentMap& map, RenderSettings settings, 
     return render(map, settings, shader_with_sun(map, settings, samples));
 }
 
-// Of the 200,000 directions 200 meet the sun.
-TEST_CASE("the dense truth under a sun agrees with a picture by many directions") {
-    RenderSettings settings = small_picture(Method::mc, 200000, 10, Placement::fibonacci);
-    settings.threads = 2;
-    const EnvironmentMap map = sunny_map();
-    const PictureCost equal = compared_picture(map, Method::mc, 1, Placement::fibonacci);
-    const ImageError error = image_error(equal.image(settings), truth_with_sun(map, settings, 3000));
-    CHECK(error.rmse < 0.01);
-    CHECK(std::fabs(error.brightness) < 2e-3);
-}
-
 TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
     const RenderSettings settings = small_picture(Method::mc, 1, 10);
     EnvironmentMap lamp = even_map(64, 32, 1);

@@ -5,15 +5,6 @@
 #include <chrono>
 #include <thread>
 
-TEST_CASE("every row is computed once, whatever the number of threads") {
-    for (const auto& [rows, threads] : {std::pair(20000, 1u), {20000, 8u}, {100, 300u}, {0, 2u}}) {
-        std::vector<std::atomic<int>> calls(static_cast<std::size_t>(rows));
-        for_each_row(rows, threads, [&](int y) { ++calls[static_cast<std::size_t>(y)]; });
-        const std::vector<int> counts(calls.begin(), calls.end());
-        CHECK(counts == std::vector<int>(calls.size(), 1));
-    }
-}
-
 // Each of two threads has a row, and waits with it for the other.
 TEST_CASE("an exception of either of two threads reaches the caller") {
     for (const bool of_caller : {true, false}) {

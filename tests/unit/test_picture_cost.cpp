@@ -50,16 +50,3 @@ TEST_CASE("an image's error is its root mean square, its correlation and its bri
     CHECK(error_of(0.25, 0.75, 0).correlation < -0.99);
     CHECK(error_of(0.25, 0.25, 0.5).correlation > 0.9);
 }
-
-TEST_CASE("the dense truth agrees with a picture by many directions") {
-    RenderSettings settings = small_picture(Method::mc, 100000, 10, Placement::fibonacci);
-    settings.threads = 2;
-    const EnvironmentMap map = coloured_map(16, 9);
-    const PictureCost dense = compared_picture(map, Method::mc, 1, Placement::cosine_fibonacci);
-    CostSettings costs;
-    costs.size = 10;
-    const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
-    const ImageError error = image_error(dense.image(settings), truth);
-    CHECK(error.rmse < 0.01);
-    CHECK(std::fabs(error.brightness) < 1e-3);
-}
