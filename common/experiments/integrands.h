@@ -34,7 +34,6 @@ std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::ve
 // The rule's estimate of the integral of f.
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f);
 
-// The directions of each estimate, by its number, with n samples: the same in every experiment with this placement and
-// seed.
+// The directions of each estimate, by its number, with n samples: the same in every experiment with these settings.
 std::function<std::vector<Vec3>(std::size_t)> directions_of_estimates(const ModelSettings& settings, std::size_t n);
 }  // namespace bmc
