@@ -6,7 +6,7 @@ namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
 static Vec3 direction_at(double u, double turns, KnownPart density) {
     const double cos_theta = density == KnownPart::cosine ? std::sqrt(u) : u;
-    const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));
+    const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));  // sqrt(1 - cos^2), exact near 1
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
