@@ -17,8 +17,8 @@ inline double known_value(KnownPart p, Vec3 direction) { return p == KnownPart::
 inline double known_integral(KnownPart p) { return p == KnownPart::cosine ? portable::pi : 2 * portable::pi; }
 
 // n independent directions. For p = 1 they are uniform, of density 1 / (2 pi): cos(theta) is u, uniform in (0, 1], and
-// the azimuth is uniform (Archimedes). For p = cos(theta) the density is cos(theta) / pi: the cosine is sqrt(u), which is
-// below c with the probability c^2 (Malley's method). u is drawn first, then the azimuth.
+// the azimuth is uniform (Archimedes). For p = cos(theta) the density is cos(theta) / pi: the cosine is sqrt(u), which
+// is below c with the probability c^2 (Malley's method). u is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
 
 // n directions of this density from a random point in each of n cells of equal area, in about sqrt(n) / 2 rows of u: so

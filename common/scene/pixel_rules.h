@@ -45,8 +45,8 @@ struct PixelRules {
     const std::shared_ptr<const Covariance> covariance;  // null for Method::mc
     const Sampler sampler;
 
-    // The rules that pixels share. The weights of these and of those below include cos(theta): they integrate
-    // L v cos(theta) from samples of L v.
+    // The rules that pixels share. These and those below are cosine rules: they integrate L v cos(theta) from samples
+    // of L v.
     const SharedRules shared;
 
     // Throws what the Gaussian processes throw.

@@ -13,7 +13,7 @@
 #include <functional>
 
 namespace bmc {
-// L_o, linear RGB, by a rule with the known part cos(theta), which the frame carries to the surface.
+// L_o, linear RGB, by a cosine rule, which the frame carries to the surface.
 Colour reflected_radiance(const Scene& scene, const EnvironmentMap& environment, const Hit& hit,
                           const QuadratureRule& rule, const Frame& frame);
 
