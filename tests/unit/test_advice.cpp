@@ -21,8 +21,8 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
     CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth - 0.5 ? 8 : 0; }) ==
           Containing{"brighter than white; --exposure -3.0 makes the brightest hundredth white"});
     CHECK(warning(50, -0.5, [](double) { return 4; }) == Containing{"--exposure -2.5 "});
-    CHECK(warning(200, 0, [=](double place) { return std::exp2(place * n - n + 500); }) ==
-          Containing{formatted("--exposure %.1f ", hundredth - 500)});
+    CHECK(warning(200, 0, [=](double place) { return std::exp2((place * n - n) / 10 + 300); }) ==
+          Containing{formatted("--exposure %.1f ", hundredth / 10 - 300)});
     CHECK(warning(8, 0, [](double place) { return std::exp2(10 * place); }) == Containing{"--exposure -10.0 "});
 }
 
