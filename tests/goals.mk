@@ -69,7 +69,7 @@ portability: all $(BUILD)/compare
 # missing #include, so the programs and one configuration of portability do without.
 $(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/*/*.cpp)
 $(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp) tests/unit
-$(BUILD)/%_sources.cpp:
+$(BUILD)/%_sources.cpp: | $(BUILD)/settings
 	@mkdir -p $(@D)
 	@printf '#include "%s"\n' $(filter %.cpp,$^) > $@
 $(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
