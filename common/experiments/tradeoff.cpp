@@ -67,10 +67,7 @@ void TradeoffReport::add_options(Options& options) {
     add_sample_list(options, samples);
 }
 
-std::string TradeoffReport::report() const {
-    const std::string pictures = PictureReport::report();  // first: a light that cannot be read is told at once
-    return (costs.untimed ? "" : rule_report()) + pictures;
-}
+std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
 
 std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
     const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
