@@ -1,5 +1,5 @@
 // smallbmc: Bayesian Monte Carlo in 99 lines. It renders spheres under a sky: the left half of the picture with Monte
-// Carlo, the right half with Bayesian Monte Carlo. Both halves look in the same 40 directions. Only the weights differ.
+// Carlo, the right half with Bayesian Monte Carlo. Both draw 40 directions in the same way. Only the weights differ.
 //     g++ -O3 -std=c++17 common/smallbmc.cpp -o smallbmc && ./smallbmc > smallbmc.ppm
 #include <cmath>
 #include <cstdio>

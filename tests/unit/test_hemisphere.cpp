@@ -87,7 +87,7 @@ TEST_CASE(
             const auto covariance = covariance_of(CovarianceFamily::sobolev, 1.5, p);
             const std::vector<Vec3> directions = optimised_directions(n, p);
             const double v = variance_of_equal_weights(*covariance, directions);
-            CAPTURE(n);
+            CAPTURE(directions.size());
             CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, p))) < most);
             CHECK(directions.size() == n);
             for (const Vec3& d : directions) CHECK_MESSAGE((d.y > 0 && std::fabs(length(d) - 1) < few_roundings), d);
