@@ -2,7 +2,8 @@
 // cos(theta) / pi ("cosine"), the same with both halves stratified ("strata"), or in proportion to the light ("light").
 // Lines of: strategy, number, light, and RMSEs of pictures by multiple importance sampling with the balance heuristic
 // (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995), by BMC, by BMC
-// with the cosine known, and by BMC of the visibility alone, where the light is known, too.
+// with the cosine known, and by BMC of the visibility alone, where the light is known as well. With two arguments, a
+// strategy and a number, only lines of these.
 #include "experiments/picture_cost.h"
 #include "light/averages.h"
 
@@ -88,7 +89,7 @@ static std::vector<Colour> estimates(const EnvironmentMap& map, const std::vecto
     return results;
 }
 
-int main() {
+int main(int argc, char** argv) {
     CostSettings costs;
     costs.size = 40;
     for (const std::string& name : light_names()) {
@@ -98,6 +99,7 @@ int main() {
         const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
         for (const char* strategy : {"cosine", "strata", "light"})
             for (const std::size_t n : {10, 40, 160}) {
+                if (argc == 3 && (argv[1] != std::string(strategy) || argv[2] != std::to_string(n))) continue;
                 RootMeanSquare rmse[4];
                 RenderSettings settings = row_settings(costs, {}, n);
                 for (settings.seed = 1; settings.seed <= 160 / n; ++settings.seed) {
