@@ -34,7 +34,7 @@ enum class Placement {
 constexpr const char* placement_names[] = {"uniform", "stratified",        "fibonacci",        "optimised",
                                            "cosine",  "cosine-stratified", "cosine-fibonacci", "cosine-optimised"};
 
-// The density is this known part over its integral. Lattices and optimised sets are fixed: the same each time.
+// The density is this known part over its integral; the cosine's come last. Lattices and optimised sets are fixed.
 inline KnownPart density_of(Placement p) { return p < Placement::cosine ? KnownPart::nothing : KnownPart::cosine; }
 inline bool is_fixed(Placement p) {
     return p == Placement::fibonacci || p == Placement::cosine_fibonacci || p == Placement::optimised ||
