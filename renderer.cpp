@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
        ./renderer --method direct --samples 20 --size 100 > direct.ppm
 
 Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo. The methods:
-  mc       Monte Carlo: random directions for each pixel, which count the same
+  mc       Monte Carlo: random directions for each pixel, all of equal weight
   direct   Bayesian Monte Carlo, with a new Gaussian process for each pixel
   single   one Gaussian process for all pixels, turned to the normal
   rotated  the same, rotated about the normal by a random angle in each pixel

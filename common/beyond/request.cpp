@@ -26,7 +26,7 @@ void Request::add_options(Options& options) {
     options.make_idle({"known"}, "with --method mc",
                       [this] { return settings.method == Method::mc && !by_visibility; });
     options.add("rmse", "X", "take as few samples as reach this predicted RMSE; 0: --samples", rmse, 0, 1e9);
-    options.add("show", show_names, show, ": predicted errors, white at twice RMSE");
+    options.add("show", show_names, show, ": predicted errors, white at twice the RMSE");
     options.make_idle({"samples"}, "with --rmse", [this] { return rmse > 0; });
 }
 

@@ -10,10 +10,10 @@
 namespace bmc {
 struct ErrorSettings : ModelSettings {
     std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-    std::size_t mc_estimates = 1000, bmc_estimates = 1000;  // the sheet has 100 and 10: their means are mostly luck
+    std::size_t mc_estimates = 1000, bmc_estimates = 1000;  // the sheet has 100 and 10: too few for a ratio
 };
 
-// Absolute errors of both methods, and those that the process predicts, which has none if Q could not be factored.
+// Absolute errors of both methods, and those that the process predicts: none if Q could not be factored.
 struct ErrorRow {
     std::size_t samples;
     Statistics mc = {}, bmc = {}, predicted = {};

@@ -37,9 +37,9 @@ static std::size_t seeds_of(const RenderSettings& settings) {
 
 void PictureReport::add_options(Options& options) {
     options.add("environment", "FILE", "one light, as for the renderer (default: each built-in light)", environment);
-    options.add("size", "W", "of the pictures, W x W pixels", costs.size, 2, 1024);
+    options.add("size", "W", "size of the pictures: W x W pixels", costs.size, 2, 1024);
     options.add("seed", "K", "seed of the random numbers", costs.seed, 0, UINT64_MAX);
-    options.add("no-times", "leaves out what is measured and differs from run to run", costs.untimed);
+    options.add("no-times", "leave out measured times, which differ from run to run", costs.untimed);
 }
 
 std::string PictureReport::report() const {

@@ -7,7 +7,7 @@
 #include "scene/render.h"
 
 namespace bmc {
-// The seconds of one call: the fewest of at least four, and of as many as take 8 ms.
+// The seconds of one call: the fewest of at least four calls, and of as many as take 8 ms.
 double time_call(const std::function<void()>& action);
 
 struct CostSettings {

@@ -32,7 +32,7 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
 # rule were exact for constants. Negative weights: %d.
 # A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
 # of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
-# 17 digits give back the same doubles; how many of a weight's digits are right, ./workbench stability tells.
+# 17 digits give back the same doubles; ./workbench stability tells how many of a weight's digits are right.
 )",
                       sum, p == KnownPart::cosine ? "cos(theta)" : "1", integral, ratio, negative,
                       white_brightness(rule), noise_gain(rule));
@@ -120,7 +120,7 @@ void RuleReport::add_options(Options& options) {
     options.add("samples", "N", "directions of the rule", samples, 1, max_process_samples);
     options.add("directions", "FILE", "read directions from FILE, a line x y z [value] each (-: standard input)",
                 directions);
-    options.add("matrices", "print Q and its inverse, too", matrices);
+    options.add("matrices", "also print Q and its inverse", matrices);
     add_model_options(options, settings);
     options.make_idle({"samples", "placement", "seed"}, "with --directions", [this] { return !directions.empty(); });
 }

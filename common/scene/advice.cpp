@@ -8,7 +8,7 @@ namespace bmc {
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples) {
     const double c = contrast(light), error = 1.4 * c / std::sqrt(static_cast<double>(samples));
     if (!(error > 0.5)) return false;
-    print_note("note: in random directions expect an error of about " + two_digits(100 * error) +
+    print_note("note: in random directions, expect an error of about " + two_digits(100 * error) +
                " % of the picture's brightness " +
                formatted("with %zu samples: the standard deviation of the light is %.2g times its mean", samples, c));
     return true;

@@ -88,7 +88,7 @@ TEST_CASE("samples miss a light if 1.4 times its contrast is above half the root
         return text;
     };
     CHECK(note(map, most) ==
-          Containing{"note: in random directions expect an error of about 50 % of the picture's brightness with"});
+          Containing{"note: in random directions, expect an error of about 50 % of the picture's brightness with"});
     CHECK(note(map, most) == Containing{formatted("%zu samples: the standard deviation of the light is", most)});
     CHECK(note(map, most + 1).empty());
     CHECK(note(map, 1) == Containing{"about " + two_digits(140 * c) + " %"});
