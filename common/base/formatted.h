@@ -27,7 +27,7 @@ formatted(const char* format, ...) {
     return text;
 }
 
-// A number from 1 on, rounded to two digits, for a person: 110000, 2e+79.
+// A number of at least 1, rounded to two digits for a reader: 110000, 2e+79.
 inline std::string two_digits(double number) {
     return formatted("%.9g", std::floor(std::strtod(formatted("%.1e", number).c_str(), nullptr) + 0.5));
 }

@@ -12,7 +12,8 @@
 #endif
 
 // A contracted a * b + c rounds once instead of twice. These lines are for whoever compiles without the Makefile, whose
-// flags forbid that, and what clang tells by no macro: reordered sums, and reciprocals (no pragma before version 18).
+// flags forbid contraction. They also forbid what clang reports by no macro: reordered sums, and reciprocals (no pragma
+// before version 18).
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #pragma clang fp reassociate(off)

@@ -1,7 +1,7 @@
 // A stream of pseudo-random numbers that is the same everywhere: SplitMix64 (Steele, Lea & Flood, "Fast splittable
 // pseudorandom number generators", OOPSLA 2014). One seed has 2^64 streams, which begin at different places of one
-// cycle of 2^64 numbers, so that every pixel has one. Give each draw a statement of its own: C++ does not fix the order
-// in which the arguments of a call are evaluated.
+// cycle of 2^64 numbers, so every pixel can have its own. Give each draw a statement of its own: C++ does not fix the
+// order in which the arguments of a call are evaluated.
 #pragma once
 
 #include "base/portable_math.h"

@@ -26,7 +26,7 @@ struct RootMeanSquare {
     void add(double error) { squares.add(error * error); }
     double value() const { return std::sqrt(squares.mean); }
 
-    // Since d(x^2) = 2 x dx, the standard error of the mean square over 2 x.
+    // Since d(x^2) = 2 x dx, this is the standard error of the mean square divided by 2 x.
     double standard_error() const { return value() > 0 ? squares.standard_error() / (2 * value()) : 0; }
 };
 }  // namespace bmc

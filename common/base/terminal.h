@@ -11,9 +11,9 @@ namespace bmc {
 inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 
-// A phase of a long calculation, which consists of equal parts. From the second second of the program on, a terminal
-// shows "2. picture: 43 %, 12 s left" until the phase ends; the number counts the phases that it has shown. A phase
-// inside another one is a part of it, and shows nothing itself.
+// A phase of a long calculation, which consists of equal parts. Once the program has run for a second, a terminal shows
+// "2. picture: 43 %, 12 s left" until the phase ends; the number counts the phases that it has shown. A phase inside
+// another one is a part of it, and shows nothing itself.
 class Progress {
 public:
     Progress(const std::string& phase, std::size_t parts);

@@ -33,11 +33,11 @@ struct Option {
     std::vector<std::pair<std::string, std::function<bool()>>> idle = {};  // "with --rmse", and whether that is so
 };
 
-// An option whose values have names, of which it has the usual one at first.
+// An option whose values have names; the usual one is its default.
 Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
               const std::function<void(std::size_t)>& choose);
 
-// Options in the order of the help. They set members of an experiment, which must outlive them and not move.
+// Options in the order of the help. They set members of an experiment, which must outlive them and must not move.
 struct Options {
     std::vector<Option> all;
 

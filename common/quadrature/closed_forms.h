@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace bmc {
-// sin(theta)^2. Throws std::invalid_argument for a cosine outside of [0, 1]; it rejects nan, too.
+// sin(theta)^2. Throws std::invalid_argument for a cosine outside [0, 1], and for nan.
 double squared_sine(double cos_theta);
 
 // The polar angle theta with the cosine c, stored as sigma = sin(theta) and q = c / (1 + sigma) = sqrt((1 - sigma) / (1

@@ -11,7 +11,7 @@
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
-// A covariance only has to define k and M. ModelSettings::make_covariance chooses one of the classes below.
+// A covariance has to define only k and M. ModelSettings::make_covariance chooses one of the classes below.
 struct Covariance {
     virtual ~Covariance() = default;
 
@@ -60,8 +60,8 @@ struct GeneralSobolev final : Covariance {
     double zz() const override { return zz_value; }
 };
 
-// k(r) = exp(-r^2 / 2 l^2) of length-scale l. Its functions have all derivatives. Below 0.05, e^(-1 / l^2) comes close
-// to underflow; above 1e6, k is 1 for all directions.
+// k(r) = exp(-r^2 / 2 l^2) of length-scale l. Its functions have all derivatives. For l below 0.05, e^(-1 / l^2) comes
+// close to underflow; for l above 1e6, k is 1 for all directions.
 constexpr double min_length_scale = 0.05, max_length_scale = 1e6;
 struct SquaredExponential final : Covariance {
     const double kappa, zz_value;  // 1 / l^2, and zz, computed once

@@ -33,12 +33,12 @@ struct GaussianProcess {
     double integral(const std::vector<double>& values) const;
 
     // The amplitude a of f, the typical size of its values. With a^2 k in place of k and a times the noise, the weights
-    // stay, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n. Squares of
-    // values below 1e-140 or above 1e150 would lose digits or overflow.
+    // stay the same, V becomes a^2 V, and Y^T Q^-1 Y has the mean n a^2. So a^2 is estimated as Y^T Q^-1 Y / n. Squares
+    // of values below 1e-140 or above 1e150 would lose digits or overflow.
     double amplitude(const std::vector<double>& values) const;
 
-    // The standard error that the process predicts for integral(values): a sqrt(V). nan if V is below 1e-12 zz: then
-    // it is the rounding of a difference, and says nothing.
+    // The standard error that the process predicts for integral(values): a sqrt(V). nan if V is below 1e-12 zz: then V
+    // is only the rounding error of a difference.
     double standard_error(const std::vector<double>& values) const {
         return variance < 1e-12 * zz ? NAN : amplitude(values) * std::sqrt(variance);
     }

@@ -21,10 +21,10 @@ inline double known_integral(KnownPart p) { return p == KnownPart::cosine ? port
 // is below c with the probability c^2 (Malley's method). u is drawn first, then the azimuth.
 std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
 
-// n directions of this density from a random point in each of n cells of equal area, in about sqrt(n) / 2 rows of u: so
-// cells are about as high as wide on the hemisphere. Rows differ by at most one cell, and are as high as their cells
-// ask for (Cook, Porter & Carpenter, "Distributed ray tracing", SIGGRAPH 1984). All are rotated about the up axis by a
-// random angle, which is drawn first.
+// n directions of this density: a random one in each of n cells of equal area, in about sqrt(n) / 2 rows of u, so that
+// cells are about as high as they are wide on the hemisphere. Rows differ by at most one cell, and each is as high as
+// its cells require (Cook, Porter & Carpenter, "Distributed ray tracing", SIGGRAPH 1984). All are rotated about the up
+// axis by a random angle, which is drawn first.
 std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
 
 // n directions of this density on the spherical Fibonacci lattice: u = 1 - (i + 1/2) / n and azimuths of i golden

@@ -11,7 +11,7 @@
 
 namespace bmc {
 // The integral of f p over H, w.r.t. solid angle, is about the sum of weights[i] * f(directions[i]), where p is the
-// known part: 1, or cos(theta). Rotating the directions about the up axis gives a rule that is as good.
+// known part: 1, or cos(theta). Rotating the directions about the up axis gives an equally good rule.
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;
@@ -34,7 +34,8 @@ enum class Placement {
 constexpr const char* placement_names[] = {"uniform", "stratified",        "fibonacci",        "optimised",
                                            "cosine",  "cosine-stratified", "cosine-fibonacci", "cosine-optimised"};
 
-// The density is this known part over its integral; the cosine's come last. Lattices and optimised sets are fixed.
+// The density is this known part divided by its integral; the placements of the cosine's density come last. Lattices
+// and optimised sets are fixed.
 inline KnownPart density_of(Placement p) { return p < Placement::cosine ? KnownPart::nothing : KnownPart::cosine; }
 inline bool is_fixed(Placement p) {
     return p == Placement::fibonacci || p == Placement::cosine_fibonacci || p == Placement::optimised ||

@@ -1,5 +1,5 @@
-// The renderer: the light that each point that the camera sees reflects, if nothing emits but the environment (Kajiya,
-// "The rendering equation", SIGGRAPH 1986, without interreflection),
+// The renderer: the light that is reflected by each point that the camera sees, if nothing but the environment emits
+// (Kajiya, "The rendering equation", SIGGRAPH 1986, without interreflection),
 //     L_o = integral over H of (albedo / pi) v L cos(theta) d omega ~ (albedo / pi) sum of w_i v_i L_i,
 // where L is the environment's radiance. The visibility v is 0 in a direction that the other object shadows, and 1 in
 // all others.

@@ -59,7 +59,7 @@ private:
     std::vector<Ray> rays_;  // with their share of the light
 };
 
-// The sums over m rays to the sun, none if it is empty. Ray j is ray((j + u) / m, down) by random numbers u
-// and then down. Its weight is cos(theta_j), 0 below the horizon.
+// The sums over m rays to the sun, or over none if it is empty. Ray j is ray((j + u) / m, down), where u and then down
+// are random numbers. Its weight is cos(theta_j), 0 below the horizon.
 RatioEstimator sample_sun(const Scene& scene, const Sun& sun, const Hit& hit, std::size_t m, Random& random);
 }  // namespace bmc::beyond
