@@ -25,12 +25,13 @@ double coverage(const Image& image, const Image& truth, const Image& predicted) 
 std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
     const RenderSettings dense = row_settings(costs, {}, 10000);
     const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
-    std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, Placement::uniform),
-                                      compared_picture(map, Method::pool, 20, Placement::uniform),
-                                      compared_picture(map, Method::mc, 1, Placement::cosine_optimised)};
-    for (const Placement placement : {Placement::uniform, Placement::cosine_fibonacci, Placement::cosine_optimised}) {
+    std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
+                                      compared_picture(map, Method::pool, 20, {}),
+                                      compared_picture(map, Method::mc, 1, {PointSet::optimised, KnownPart::cosine})};
+    for (const Placement placement : {Placement{}, Placement{PointSet::fibonacci, KnownPart::cosine},
+                                      Placement{PointSet::optimised, KnownPart::cosine}}) {
         compared.push_back(picture_of_known(light, Method::mc, 1, placement));
-        compared.push_back(picture_of_known(light, Method::pool, is_fixed(placement) ? 1 : 20, placement));
+        compared.push_back(picture_of_known(light, Method::pool, placement.is_fixed() ? 1 : 20, placement));
     }
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
     Progress progress("rows", 2 * compared.size());

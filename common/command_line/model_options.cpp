@@ -9,7 +9,10 @@ void add_model_options(Options& options, ModelSettings& s) {
     options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
     options.add(choice("known", {std::begin(known_part_names), std::end(known_part_names)}, 0, known_remark,
                        [&s](std::size_t chosen) { s.known_part = static_cast<KnownPart>(chosen); }));
-    options.add("placement", placement_names, s.placement);
+    std::vector<std::string> placements;
+    for (const Placement placement : all_placements()) placements.push_back(placement.name());
+    options.add(
+        choice("placement", placements, 0, "", [&s](std::size_t chosen) { s.placement = all_placements()[chosen]; }));
     options.add("seed", "K", "seed of the random numbers", s.seed, 0, UINT64_MAX);
     const auto is_sobolev = [&s] { return s.covariance == CovarianceFamily::sobolev; };
     options.make_idle({"length-scale"}, "with --covariance sobolev", is_sobolev);

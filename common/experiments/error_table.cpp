@@ -46,7 +46,7 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
     const auto directions_of = directions_of_estimates(settings, samples);
     for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
-        add_mc_errors(rows, integrands, directions_of(e), density_of(settings.placement));
+        add_mc_errors(rows, integrands, directions_of(e), settings.placement.density);
         progress.done();
     }
     const auto covariance = settings.make_covariance();
@@ -66,7 +66,7 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement) {
     std::string text = "# integral of " + integrand.formula + formatted(" = %.10f\n", integrand.truth) +
                        "# samples   mc_error        +-  bmc_error        +- bmc_predicted    mc/bmc mc_samples\n";
-    const bool random = placement == Placement::uniform || placement == Placement::cosine;
+    const bool random = placement.set == PointSet::random;
     for (const ErrorRow& row : rows)
         text += formatted("%9zu", row.samples) + mean_cells(row.mc, 11) + mean_cells(row.bmc, 11) +
                 cell(14, row.predicted.count > 0 ? row.predicted.mean : NAN) + cell(10, row.gain()) +

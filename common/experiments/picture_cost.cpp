@@ -83,25 +83,23 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    return {settings, name_of(density_of(placement), known_part_names),
+    return {settings, name_of(placement.density, known_part_names),
             [&light](const RenderSettings& s) { return render(light, s, environment_shader(light, PixelRules(s))); }};
 }
 
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
-    return {compared_picture(light, Method::mc, 1, Placement::uniform),
-            compared_picture(light, Method::mc, 1, Placement::cosine),
-            compared_picture(light, Method::direct, 1, Placement::uniform),
-            compared_picture(light, Method::single, 1, Placement::uniform),
-            compared_picture(light, Method::rotated, 1, Placement::uniform),
-            compared_picture(light, Method::pool, 5, Placement::uniform),
-            compared_picture(light, Method::pool, 20, Placement::uniform),
-            compared_picture(light, Method::pool, 20, Placement::cosine),
-            compared_picture(light, Method::mc, 1, Placement::cosine_stratified),
-            compared_picture(light, Method::pool, 20, Placement::cosine_stratified),
-            compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci),
-            compared_picture(light, Method::pool, 1, Placement::cosine_fibonacci),
-            compared_picture(light, Method::mc, 1, Placement::cosine_optimised),
-            compared_picture(light, Method::pool, 1, Placement::cosine_optimised)};
+    constexpr Placement uniform, cosine{PointSet::random, KnownPart::cosine};
+    std::vector<PictureCost> pictures{
+        compared_picture(light, Method::mc, 1, uniform),      compared_picture(light, Method::mc, 1, cosine),
+        compared_picture(light, Method::direct, 1, uniform),  compared_picture(light, Method::single, 1, uniform),
+        compared_picture(light, Method::rotated, 1, uniform), compared_picture(light, Method::pool, 5, uniform),
+        compared_picture(light, Method::pool, 20, uniform),   compared_picture(light, Method::pool, 20, cosine)};
+    for (const PointSet set : {PointSet::stratified, PointSet::fibonacci, PointSet::optimised}) {
+        const Placement placement{set, KnownPart::cosine};
+        pictures.push_back(compared_picture(light, Method::mc, 1, placement));
+        pictures.push_back(compared_picture(light, Method::pool, placement.is_fixed() ? 1 : 20, placement));
+    }
+    return pictures;
 }
 
 PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
@@ -133,7 +131,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
         text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", name_of(s.method, method_names),
-                          s.pool, name_of(s.placement, placement_names), row.known_column, s.samples, rmse,
+                          s.pool, s.placement.name().c_str(), row.known_column, s.samples, rmse,
                           row.rmse.standard_error(), row.correlation.mean, row.brightness.value(),
                           two_digits(static_cast<double>(s.samples) * gain).c_str());
         if (timed)

@@ -70,7 +70,7 @@ void TradeoffReport::add_options(Options& options) {
 std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
 
 std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
-    const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
+    const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
     const std::vector<PictureCost> compared = compared_pictures(light);
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
     Progress progress("rows", compared.size() * samples.size());

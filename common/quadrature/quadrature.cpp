@@ -1,6 +1,22 @@
 #include "quadrature/quadrature.h"
 
 namespace bmc {
+constexpr PointSet point_sets[] = {PointSet::random, PointSet::stratified, PointSet::fibonacci, PointSet::optimised};
+constexpr const char* point_set_names[] = {"uniform", "stratified", "fibonacci", "optimised"};
+
+std::string Placement::name() const {
+    const std::string of_uniform = point_set_names[static_cast<std::size_t>(set)];
+    if (density == KnownPart::nothing) return of_uniform;
+    return set == PointSet::random ? "cosine" : "cosine-" + of_uniform;
+}
+
+std::vector<Placement> all_placements() {
+    std::vector<Placement> all;
+    for (const KnownPart density : {KnownPart::nothing, KnownPart::cosine})
+        for (const PointSet set : point_sets) all.push_back({set, density});
+    return all;
+}
+
 static Sampler rotated(const std::vector<Vec3>& fixed) {
     return [=](Random& random) {
         std::vector<Vec3> directions = fixed;
@@ -11,16 +27,12 @@ static Sampler rotated(const std::vector<Vec3>& fixed) {
 }
 
 Sampler sampler_of(Placement placement, std::size_t n) {
-    const KnownPart p = density_of(placement);
-    switch (placement) {
-        case Placement::uniform:
-        case Placement::cosine: return [=](Random& random) { return random_directions(n, random, p); };
-        case Placement::stratified:
-        case Placement::cosine_stratified: return [=](Random& random) { return stratified_directions(n, random, p); };
-        case Placement::fibonacci:
-        case Placement::cosine_fibonacci: return rotated(fibonacci_directions(n, p));
-        case Placement::optimised:
-        case Placement::cosine_optimised: break;
+    const KnownPart p = placement.density;
+    switch (placement.set) {
+        case PointSet::random: return [=](Random& random) { return random_directions(n, random, p); };
+        case PointSet::stratified: return [=](Random& random) { return stratified_directions(n, random, p); };
+        case PointSet::fibonacci: return rotated(fibonacci_directions(n, p));
+        case PointSet::optimised: break;
     }
     return rotated(optimised_directions(n, p));
 }
@@ -40,7 +52,7 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     const bool in_closed_form = covariance == CovarianceFamily::sobolev && smoothness == 1.5;
-    if (known_part.value_or(density_of(placement)) == KnownPart::cosine) {
+    if (known_part.value_or(placement.density) == KnownPart::cosine) {
         if (in_closed_form) return std::make_shared<SobolevKnownCosine>();
         throw std::invalid_argument(
             "the known part cosine, as of directions of that density, needs the covariance sobolev of smoothness 1.5");

@@ -20,27 +20,19 @@ struct QuadratureRule {
     std::size_t size() const { return weights.size(); }
 };
 
-// How the directions of a rule are placed (hemisphere.h), with the uniform density, and then with the cosine's.
-enum class Placement {
-    uniform,
-    stratified,
-    fibonacci,
-    optimised,
-    cosine,
-    cosine_stratified,
-    cosine_fibonacci,
-    cosine_optimised
-};
-constexpr const char* placement_names[] = {"uniform", "stratified",        "fibonacci",        "optimised",
-                                           "cosine",  "cosine-stratified", "cosine-fibonacci", "cosine-optimised"};
+// How the directions of a rule are placed: a set (hemisphere.h), of a density that is the known part divided by its
+// integral.
+enum class PointSet { random, stratified, fibonacci, optimised };
+struct Placement {
+    PointSet set = PointSet::random;
+    KnownPart density = KnownPart::nothing;
 
-// The density is this known part divided by its integral; the placements of the cosine's density come last. Lattices
-// and optimised sets are fixed.
-inline KnownPart density_of(Placement p) { return p < Placement::cosine ? KnownPart::nothing : KnownPart::cosine; }
-inline bool is_fixed(Placement p) {
-    return p == Placement::fibonacci || p == Placement::cosine_fibonacci || p == Placement::optimised ||
-           p == Placement::cosine_optimised;
-}
+    // Whether all sets are one, but for a rotation: a lattice, or an optimised set.
+    bool is_fixed() const { return set == PointSet::fibonacci || set == PointSet::optimised; }
+
+    std::string name() const;  // uniform, cosine, stratified, cosine-stratified, ...
+};
+std::vector<Placement> all_placements();
 
 // Draws a fresh set of n >= 1 directions. A fixed set is made once, here, and then rotated by random angles.
 using Sampler = std::function<std::vector<Vec3>(Random&)>;
@@ -69,7 +61,7 @@ struct ModelSettings {
     double length_scale = 1;  // of any other family
     double noise = 0.01;
     std::optional<KnownPart> known_part = {};  // unless given, the density of the placement
-    Placement placement = Placement::uniform;
+    Placement placement = {};
     std::uint64_t seed = 1;
 
     // Throws std::invalid_argument as the covariance's constructor does, and if the known part has no closed form.

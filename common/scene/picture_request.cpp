@@ -25,7 +25,7 @@ void PictureRequest::add_options(Options& options) {
     options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, "with --method mc",
                       [this] { return settings.method == Method::mc; });
     options.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
-    options.make_idle({"pool"}, "with a lattice or an optimised set", [this] { return is_fixed(settings.placement); });
+    options.make_idle({"pool"}, "with a lattice or an optimised set", [this] { return settings.placement.is_fixed(); });
     options.make_idle({"exposure"}, "with --format pfm", [this] { return format == Format::pfm; });
 }
 

@@ -9,7 +9,7 @@ PixelRules::PixelRules(const RenderSettings& picture_settings)
 
 // Rules of a fixed set differ by a rotation alone, so that one will do.
 std::size_t PixelRules::shared_count() const {
-    const bool fixed = is_fixed(settings.placement);
+    const bool fixed = settings.placement.is_fixed();
     if (settings.method == Method::direct || (settings.method == Method::mc && !fixed)) return 0;
     return settings.method == Method::pool && !fixed ? settings.pool : 1;
 }
@@ -30,9 +30,9 @@ SharedRules PixelRules::shared_rules() const {
 
 std::shared_ptr<const QuadratureRule> PixelRules::fresh_rule(Random& random) const {
     std::vector<Vec3> directions = sampler(random);
-    return std::make_shared<QuadratureRule>(cosine_rule(
-        settings.method == Method::mc ? monte_carlo_rule(std::move(directions), density_of(settings.placement))
-                                      : bayesian_rule(*covariance, settings.noise, std::move(directions))));
+    return std::make_shared<QuadratureRule>(
+        cosine_rule(settings.method == Method::mc ? monte_carlo_rule(std::move(directions), settings.placement.density)
+                                                  : bayesian_rule(*covariance, settings.noise, std::move(directions))));
 }
 
 OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {

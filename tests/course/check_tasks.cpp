@@ -76,7 +76,7 @@ void each_model(Function f) {
     for (ErrorSettings& model : models) model.noise = 3.1, model.length_scale = 0.4, model.seed = seed;
     models[1].covariance = CovarianceFamily::squared_exponential;
     models[2].known_part = KnownPart::cosine;
-    models[3].known_part = KnownPart::nothing, models[3].placement = Placement::cosine;
+    models[3].known_part = KnownPart::nothing, models[3].placement = {PointSet::random, KnownPart::cosine};
     for (const std::size_t n : sizes)
         for (std::size_t i = 0; i < std::size(models); ++i) {
             in = formatted("%s, noise 3.1, n = %zu: ", words[i], n);
@@ -103,11 +103,12 @@ void each_positive_matrix(Function f) {
 // Calls f(the rules of a picture). Fixed placements need the task rotate.
 template <class Function>
 void each_picture(Method method, Function f) {
-    for (const Placement placement : {Placement::uniform, Placement::cosine, Placement::stratified}) {
+    for (const Placement placement :
+         {Placement{}, Placement{PointSet::random, KnownPart::cosine}, Placement{PointSet::stratified}}) {
         RenderSettings settings;
         settings.noise = 3.1, settings.seed = seed, settings.samples = 9, settings.pool = 7;
         settings.method = method, settings.placement = placement;
-        in = method_names[static_cast<int>(method)] + formatted(", %s: ", placement_names[static_cast<int>(placement)]);
+        in = method_names[static_cast<int>(method)] + (", " + placement.name() + ": ");
         f(PixelRules(settings));
     }
 }

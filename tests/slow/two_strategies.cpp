@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     for (const std::string& name : light_names()) {
         const EnvironmentMap light = load_environment(name);
         const std::vector<LitDirection> lit = lit_directions(light, 10000);
-        const PictureCost dense = compared_picture(light, Method::mc, 1, Placement::cosine_fibonacci);
+        const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
         const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
         for (const char* strategy : {"cosine", "strata", "light"})
             for (const std::size_t n : {10, 40, 160}) {

@@ -164,8 +164,8 @@ inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, 
     return settings.make_covariance();
 }
 
-inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12,
-                                    Placement placement = Placement::uniform, KnownPart p = KnownPart::nothing) {
+inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = {},
+                                    KnownPart p = KnownPart::nothing) {
     RenderSettings settings;
     settings.method = method;
     settings.samples = samples;

@@ -53,7 +53,7 @@ TEST_CASE("weights that cancel, or that make a white world dark, give a warning"
 }
 
 TEST_CASE("weights that are too bright give a warning, and the default cures them") {
-    RenderSettings settings = small_picture(Method::pool, 85, 12, Placement::cosine_fibonacci);
+    RenderSettings settings = small_picture(Method::pool, 85, 12, {PointSet::fibonacci, KnownPart::cosine});
     CHECK(warning_of(settings).empty());
     settings.smoothness = 1.001;
     CHECK(warning_of(settings) ==

@@ -10,7 +10,7 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     std::string picture;
     const std::string printed = stderr_of([&] { picture = belief.report(); }), header = "P6\n800 200\n255\n";
     Random random(1, 0);
-    const Vec3 w = sampler_of(Placement::fibonacci, 1)(random)[0];
+    const Vec3 w = sampler_of({PointSet::fibonacci}, 1)(random)[0];
     const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
     const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
     CHECK(!contains(printed, "note:"));

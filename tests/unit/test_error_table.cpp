@@ -19,13 +19,13 @@ TEST_CASE("a line of the table has four digits, and nan for what has no meaning"
     const auto check = [&](Placement placement, const std::string& line) {
         CHECK(rows_of(error_report(cosine_integrand, {row}, placement)) == rows_of(line));
     };
-    check(Placement::uniform, "10 0.1735 0.05 nan nan nan nan nan");
+    check({}, "10 0.1735 0.05 nan nan nan nan nan");
     row.bmc.add(0.0867280);
     row.predicted.add(0.01);
-    check(Placement::cosine, "10 0.1735 0.05 0.08673 nan 0.01 2 40");
-    check(Placement::stratified, "10 0.1735 0.05 0.08673 nan 0.01 2 nan");
+    check({PointSet::random, KnownPart::cosine}, "10 0.1735 0.05 0.08673 nan 0.01 2 40");
+    check({PointSet::stratified}, "10 0.1735 0.05 0.08673 nan 0.01 2 nan");
     row.bmc.add(0.0867280 * (1 + 1e-14));  // which differ by rounding
-    check(Placement::cosine_fibonacci, "10 0.1735 0.05 0.08673 0 0.01 2 nan");
+    check({PointSet::fibonacci, KnownPart::cosine}, "10 0.1735 0.05 0.08673 0 0.01 2 nan");
 }
 
 TEST_CASE("a list of samples is numbers from 1 to 4096 between commas") {

@@ -18,10 +18,10 @@ TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {
 // Equal weights on the cosine lattice, which the better picture has, are the best that the picture itself can have.
 TEST_CASE("a better picture has at most half of the error of the best, under a sun, too") {
     for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
-        const RenderSettings settings = small_picture(Method::mc, 20, 16, Placement::cosine_fibonacci);
+        const RenderSettings settings = small_picture(Method::mc, 20, 16, {PointSet::fibonacci, KnownPart::cosine});
         const Image truth = truth_with_sun(map, settings, 2000),
                     better = render(map, settings, better_shader({map, false, 1}, settings));
-        const PictureCost equal = compared_picture(map, Method::mc, 1, Placement::cosine_fibonacci);
+        const PictureCost equal = compared_picture(map, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
         CAPTURE(map.width);
         CHECK(image_error(better, truth).rmse < 0.5 * image_error(equal.image(settings), truth).rmse);
     }

@@ -19,8 +19,7 @@ TEST_CASE("a picture is compared over 16 seeds, 64 where pixels share one rule, 
         costs.untimed = true;
         Image truth(size, size);
         truth.pixels.assign(truth.pixels.size(), {1, 1, 1});
-        return measured_picture(compared_picture(map, method, pool, Placement::uniform), samples, costs, truth)
-            .rmse.squares.count;
+        return measured_picture(compared_picture(map, method, pool, {}), samples, costs, truth).rmse.squares.count;
     };
     CHECK(Numbers{seeds(Method::mc, 1, 1, 128), seeds(Method::mc, 1, 1, 129)} == Numbers{16, 4});
     CHECK(Numbers{seeds(Method::direct, 1, 40, 4), seeds(Method::direct, 1, 41, 4)} == Numbers{16, 4});

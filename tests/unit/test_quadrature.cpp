@@ -1,28 +1,26 @@
 #include "quadrature/quadrature.h"
 #include "test.h"
 
-TEST_CASE("a placement is what its name says; a fixed one draws the same directions each time but for a rotation") {
-    for (std::size_t i = 0; i < std::size(placement_names); ++i) {
-        const Placement placement = static_cast<Placement>(i);
-        const KnownPart p = density_of(placement);
-        const std::string name = placement_names[i];
-        CAPTURE(name);
-        CHECK((p == KnownPart::cosine) == contains(name, "cosine"));
-        const bool is_lattice = contains(name, "fibonacci");
-        CHECK(is_fixed(placement) == (is_lattice || contains(name, "optimised")));
+TEST_CASE("a placement is a set of a density; a fixed set is the same each time but for a rotation") {
+    std::string names;
+    for (const Placement placement : all_placements()) {
+        names += placement.name() + ' ';
+        CAPTURE(names);
+        const KnownPart p = placement.density;
         Random random(1, 0), same(1, 0);
         const Sampler sampler = sampler_of(placement, 7);
         for (int draw = 0; draw < 2; ++draw) {
-            const std::vector<Vec3> drawn = sampler(random);
-            std::vector<Vec3> expected = is_lattice                     ? fibonacci_directions(7, p)
-                                         : is_fixed(placement)          ? optimised_directions(7, p)
-                                         : contains(name, "stratified") ? stratified_directions(7, same, p)
-                                                                        : random_directions(7, same, p);
-            const double turns = is_fixed(placement) ? same.uniform() : 0;
+            std::vector<Vec3> expected = placement.set == PointSet::fibonacci    ? fibonacci_directions(7, p)
+                                         : placement.set == PointSet::optimised  ? optimised_directions(7, p)
+                                         : placement.set == PointSet::stratified ? stratified_directions(7, same, p)
+                                                                                 : random_directions(7, same, p);
+            const double turns = placement.is_fixed() ? same.uniform() : 0;
             for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
-            CHECK(drawn == expected);
+            CHECK(sampler(random) == expected);
         }
     }
+    CHECK(names ==
+          "uniform stratified fibonacci optimised cosine cosine-stratified cosine-fibonacci cosine-optimised ");
 }
 
 // With cos(theta), the weights are pi times 2, -1.6 and 0.5 if nothing is known.

@@ -99,7 +99,7 @@ TEST_CASE("directions are drawn from stream 0, and those of a file have no place
     RuleReport report;
     parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
     Random random(5, 0);
-    const double x = sampler_of(Placement::fibonacci, 3)(random)[1].x;
+    const double x = sampler_of({PointSet::fibonacci}, 3)(random)[1].x;
     CHECK(rows_of(report.report()).at(1).at(0) == formatted("%.17g", x));
     CHECK(rule_report("0 1 0\n", {"--placement=cosine"}) == rule_report("0 1 0\n"));
 }

@@ -5,7 +5,7 @@
 namespace bmc::beyond {
 Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
     settings.method = Method::mc;
-    settings.placement = Placement::cosine_fibonacci;
+    settings.placement = {PointSet::fibonacci, KnownPart::cosine};
     const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would rarely meet
     return [=, sky = sun->sky(), rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
@@ -20,7 +20,7 @@ Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::
 Shader better_shader(const EnvironmentLight& light, RenderSettings settings) {
     const std::size_t samples = settings.samples;
     settings.method = Method::mc;
-    settings.placement = Placement::cosine_fibonacci;
+    settings.placement = {PointSet::fibonacci, KnownPart::cosine};
     settings.samples = 4 * samples;
     ++settings.seed;
     if (light.averages) return shader_of(light, settings);
