@@ -88,13 +88,13 @@ static Image discs(const View& view, const Posterior& posterior) {
 
 // all: the root mean square of the light. Where the samples have seen less than 0.3 of it, nine in ten bars are false.
 static void print_estimate(const GaussianProcess& process, const std::vector<double>& seen, double truth, double all) {
-    const double error = process.standard_error(seen);
-    print_note(formatted("estimate %.5g, standard error %s, truth %.5g", process.integral(seen),
+    const double error = process.error_bar(seen);
+    print_note(formatted("estimate %.5g, error bar %s, truth %.5g", process.integral(seen),
                          error > 0 ? formatted("%.3g", error).c_str() : "unknown", truth));
     RootMeanSquare size;
     for (const double value : seen) size.add(value);
     if (size.value() < 0.3 * all)
-        print_note(formatted("note: the samples have seen %.2g %% of this light, and the standard error knows no more",
+        print_note(formatted("note: the samples have seen %.2g %% of this light, and the error bar knows no more",
                              100 * size.value() / all));
 }
 

@@ -25,7 +25,7 @@ static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integr
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::vector<double> values = evaluate(integrands[i].value, process.directions, p);
         rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
-        rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.standard_error(values));
+        rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
     }
 }
 // END SOLUTION

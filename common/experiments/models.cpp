@@ -37,7 +37,7 @@ static ModelResults results_of(const ModelSettings& model, const std::vector<Int
         for (const Integrand& integrand : integrands) {
             const std::vector<double> values = evaluate(integrand.value, process.directions);
             means.error.add(process.integral(values) - integrand.truth);
-            means.predicted.add(process.standard_error(values));
+            means.predicted.add(process.error_bar(values));
             means.monte_carlo.add(estimate(rule, integrand.value) - integrand.truth);
             if (process.amplitude(values) > 0) means.evidence.add(log_evidence(process, values));  // zeros fit all
         }

@@ -39,7 +39,7 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
 }
 
 static std::string estimate_line(const GaussianProcess& process, KnownPart p, const std::vector<double>& values) {
-    const double estimate = process.integral(values), error = process.standard_error(values);
+    const double estimate = process.integral(values), error = process.error_bar(values);
     const double amplitude = process.amplitude(values);
     if (!std::isfinite(estimate) || !std::isfinite(amplitude) || std::isinf(error))
         throw std::runtime_error("the values are too large for their squares; divide all by one number");
@@ -47,7 +47,7 @@ static std::string estimate_line(const GaussianProcess& process, KnownPart p, co
                       "\n# It knows what the samples have seen; a lamp that none of them met is not in it.";
     if (std::isnan(error)) bar = "unknown: what is left of the variance may be rounding; more noise makes it larger";
     if (amplitude == 0) bar = "unknown: the values are 0, or too small to be squared";
-    return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, standard error ",
+    return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, error bar ",
                      p == KnownPart::cosine ? " times cos(theta)" : "", estimate, amplitude) +
            bar + '\n';
 }

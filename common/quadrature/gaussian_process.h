@@ -37,9 +37,9 @@ struct GaussianProcess {
     // of values below 1e-140 or above 1e150 would lose digits or overflow.
     double amplitude(const std::vector<double>& values) const;
 
-    // The standard error that the process predicts for integral(values): a sqrt(V). nan if V is below 1e-12 zz: then V
+    // The error bar of integral(values): a sqrt(V), the posterior standard deviation. nan if V is below 1e-12 zz: then V
     // is only the rounding error of a difference.
-    double standard_error(const std::vector<double>& values) const {
+    double error_bar(const std::vector<double>& values) const {
         return variance < 1e-12 * zz ? NAN : amplitude(values) * std::sqrt(variance);
     }
 };

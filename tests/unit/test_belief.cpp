@@ -14,7 +14,7 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
     const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
     CHECK(!contains(printed, "note:"));
-    CHECK(printed == Containing{formatted(": estimate %.5g, standard error %.3g, truth ", 0.5 * z / q, error)});
+    CHECK(printed == Containing{formatted(": estimate %.5g, error bar %.3g, truth ", 0.5 * z / q, error)});
     parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
     const std::string cosine = stderr_of([&] { belief.report(); });
     CHECK(cosine == Containing{formatted(": estimate %.5g, ", 0.5 * SobolevKnownCosine().z(w.y) / q)});

@@ -20,18 +20,18 @@ TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matri
         CHECK(relative(process.integral({1, 3}), w0 + 3 * w1) < 2e-14);
         CHECK(relative(process.variance, v) < 1e-12);
         CHECK(relative(process.amplitude({1, 3}), amplitude) < 2e-14);
-        CHECK(relative(process.standard_error({1, 3}), amplitude * std::sqrt(v)) < 1e-12);
+        CHECK(relative(process.error_bar({1, 3}), amplitude * std::sqrt(v)) < 1e-12);
         CHECK(relative(process.inverse_covariance()(0, 1), -b / determinant) < 2e-14);
     }
 }
 
-TEST_CASE("amplitude and standard error are in proportion to the values, from 1e-140 to 1e150") {
+TEST_CASE("amplitude and error bar are in proportion to the values, from 1e-140 to 1e150") {
     const GaussianProcess process(Sobolev(), 0.1, {{0, 1, 0}, {0.6, 0.8, 0}});
     for (const double size : {1e-140, 1e150}) {
         CAPTURE(size);
         for (const double each : {size, -size})
             CHECK(relative(process.amplitude({each, 3 * each}) / size, process.amplitude({1, 3})) < 1e-14);
-        CHECK(relative(process.standard_error({size, 0}) / size, process.standard_error({1, 0})) < 1e-14);
+        CHECK(relative(process.error_bar({size, 0}) / size, process.error_bar({1, 0})) < 1e-14);
     }
     CHECK(process.amplitude({0, 0}) == 0);
 }
@@ -59,5 +59,5 @@ TEST_CASE("a variance that would be negative is 0, and an error unknown below a 
     };
     CHECK(GaussianProcess(Prior(-0.5), 0, {{0, 1, 0}}).variance == 0);
     for (const double left : {0.9e-12, 1.1e-12})
-        CHECK(std::isnan(GaussianProcess(Prior(left), 0, {{0, 1, 0}}).standard_error({1})) == (left < 1e-12));
+        CHECK(std::isnan(GaussianProcess(Prior(left), 0, {{0, 1, 0}}).error_bar({1})) == (left < 1e-12));
 }
