@@ -37,7 +37,7 @@ static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-b
 #endif
 
 namespace bmc::portable {
-constexpr double pi = 3.14159265358979323846;
+inline constexpr double pi = 3.14159265358979323846;
 
 // c[0] + c[1] x + c[2] x^2 + ... by Horner's rule.
 template <std::size_t N>

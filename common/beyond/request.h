@@ -7,14 +7,17 @@
 namespace bmc::beyond {
 // What a file shows of each point: the light that it reflects, or the error predicted for that light.
 enum class Show { picture, error };
-constexpr const char* show_names[] = {"picture", "error"};
+inline constexpr const char* show_names[] = {"picture", "error"};
 
 struct Request : PictureRequest {
-    bool by_visibility = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
+    bool light_known = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
     Show show = Show::picture;
     double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 
+    bool is_plain() const { return !light_known && show == Show::picture && rmse == 0; }  // one of the practice's
+
     void add_options(Options& options) override;
+    void advise(const EnvironmentMap& map) const override;
 
     // What the file shows. Prints the prediction on stderr. Throws std::runtime_error if an RMSE takes too many
     // samples.

@@ -73,6 +73,9 @@ struct Options {
 
 // What a program can be asked for.
 struct Experiment {
+    Experiment() = default;
+    Experiment(const Experiment&) = delete;  // its options set the members of this one
+    Experiment& operator=(const Experiment&) = delete;
     virtual ~Experiment() = default;
     Options options() {
         Options all;

@@ -18,7 +18,7 @@ struct Integrand {
 
 // The practice's integrands: cos(theta), cos(theta)^3, environment_integrand of the built-in light, and 1. The
 // workbench makes a table of each, or of the one that was chosen by its place in the list; 0 chooses all.
-constexpr const char* practice_integrand_names[] = {"all", "cosine", "cosine-cubed", "environment", "constant"};
+inline constexpr const char* practice_integrand_names[] = {"all", "cosine", "cosine-cubed", "environment", "constant"};
 std::vector<Integrand> practice_integrands(std::size_t chosen = 0);
 
 // The luminance of a light times cos(theta) above a tilted surface. Its truth is reference_integral.

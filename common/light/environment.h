@@ -67,7 +67,7 @@ private:
 // - bright-desert: the same with a sun a thousand times as bright, as real suns are: it sends four fifths of the light.
 // - black-and-white: the hardest light without a sun: radiance 1 where x > 0, and 0 elsewhere.
 enum class BuiltInLight { desert, bright_desert, black_and_white };
-constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
+inline constexpr const char* built_in_lights[] = {"desert", "bright-desert", "black-and-white"};
 EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 
 // Reads a Radiance picture (.hdr; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream, of the usual kind:

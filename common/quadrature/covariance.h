@@ -7,7 +7,6 @@
 // where f p is the integrand: the Gaussian process models f, and p, the known part, is 1 unless you ask for another.
 #pragma once
 
-#include "quadrature/closed_forms.h"
 #include "quadrature/hemisphere.h"
 
 namespace bmc {
@@ -35,21 +34,21 @@ struct Covariance {
 struct Sobolev : Covariance {
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
     double cap_mean(double b) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * b); }
-    double z(double cos_theta) const override { return sobolev_z(cos_theta); }
-    double zz() const override { return sobolev_zz; }
+    double z(double cos_theta) const override;
+    double zz() const override { return 32 * portable::pi * portable::pi / 3 - 128 * portable::pi / 9; }
 };
 
 // The same with the known part p = cos(theta), for directions that are denser where the cosine is large.
 struct SobolevKnownCosine final : Sobolev {
-    double z(double cos_theta) const override { return sobolev_cosine_z(cos_theta); }
-    double zz() const override { return sobolev_cosine_zz; }
+    double z(double cos_theta) const override;
+    double zz() const override { return 16.787120248013257721; }  // by quadrature to 20 digits
     KnownPart known_part() const override { return KnownPart::cosine; }
 };
 
 // Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
 // Womersley, "QMC designs", Mathematics of Computation 83, 2014). The sheet's base code has s = 1.4 (Marques, Bouville
 // & Bouatouch, "Optimal sample weights for hemispherical integral quadratures", Computer Graphics Forum 38(1), 2019).
-constexpr double min_smoothness = 1.001, max_smoothness = 1.999;
+inline constexpr double min_smoothness = 1.001, max_smoothness = 1.999;
 struct GeneralSobolev final : Covariance {
     const double exponent, constant, zz_value;  // s - 1, C, and zz, computed once
 
@@ -62,15 +61,15 @@ struct GeneralSobolev final : Covariance {
 
 // k(r) = exp(-r^2 / 2 l^2) of length-scale l. Its functions have all derivatives. For l below 0.05, e^(-1 / l^2) comes
 // close to underflow; for l above 1e6, k is 1 for all directions.
-constexpr double min_length_scale = 0.05, max_length_scale = 1e6;
+inline constexpr double min_length_scale = 0.05, max_length_scale = 1e6;
 struct SquaredExponential final : Covariance {
     const double kappa, zz_value;  // 1 / l^2, and zz, computed once
 
     explicit SquaredExponential(double length_scale);  // throws std::invalid_argument for one outside of this range
 
     double k(double squared_chord) const override { return portable::exp(-0.5 * kappa * squared_chord); }
-    double cap_mean(double b) const override { return exponential_mean(kappa * b); }
-    double z(double cos_theta) const override { return squared_exponential_z(cos_theta, kappa); }
+    double cap_mean(double b) const override;
+    double z(double cos_theta) const override;
     double zz() const override { return zz_value; }
 };
 }  // namespace bmc

@@ -1,6 +1,8 @@
 #include "quadrature/hemisphere.h"
 
-#include "quadrature/closed_forms.h"
+#include "quadrature/covariance.h"
+
+#include <algorithm>
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
@@ -52,7 +54,10 @@ std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart density) {
 std::vector<Vec3> optimised_directions(std::size_t n, KnownPart p) {
     constexpr int sweeps = 50;
     const double w = known_integral(p) / static_cast<double>(n), reach = 1.2 / std::sqrt(static_cast<double>(n));
-    const auto z = [p](Vec3 d) { return (p == KnownPart::cosine ? sobolev_cosine_z : sobolev_z)(std::min(d.y, 1.0)); };
+    const Sobolev sobolev;
+    const SobolevKnownCosine with_cosine;
+    const Covariance& covariance = p == KnownPart::cosine ? with_cosine : sobolev;
+    const auto z = [&](Vec3 d) { return covariance.z(std::min(d.y, 1.0)); };
     std::vector<Vec3> directions = fibonacci_directions(n, p);
     Random random(0, n);
     for (int sweep = sweeps; sweep > 0; --sweep)

@@ -10,7 +10,7 @@
 namespace bmc {
 // What is known of a function of directions, its factor p: nothing, so that p is 1, or p = cos(theta).
 enum class KnownPart { nothing, cosine };
-constexpr const char* known_part_names[] = {"nothing", "cosine"};
+inline constexpr const char* known_part_names[] = {"nothing", "cosine"};
 
 // p(direction), and the integral of p over H.
 inline double known_value(KnownPart p, Vec3 direction) { return p == KnownPart::cosine ? direction.y : 1; }

@@ -52,7 +52,7 @@ QuadratureRule cosine_rule(QuadratureRule rule);
 
 // Add a covariance here and to the table; the compiler then names the place in make_covariance.
 enum class CovarianceFamily { sobolev, squared_exponential };
-constexpr const char* covariance_names[] = {"sobolev", "squared-exponential"};
+inline constexpr const char* covariance_names[] = {"sobolev", "squared-exponential"};
 
 // Settings of a rule, except its number of directions.
 struct ModelSettings {

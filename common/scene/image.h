@@ -24,7 +24,7 @@ struct Image {
 double srgb_to_linear(double code);
 
 enum class Format { ppm, pfm, bmp };
-constexpr const char* format_names[] = {"ppm", "pfm", "bmp"};
+inline constexpr const char* format_names[] = {"ppm", "pfm", "bmp"};
 
 // The image as a file.
 // - ppm: binary PPM ("P6"), 8 bits per channel, sRGB; values are clamped to [0, 1].

@@ -1,4 +1,5 @@
-// What the renderer is asked for: a picture of the sphere scene.
+// What the renderer is asked for, a picture of the sphere scene, and what it says of the picture on stderr: what to
+// expect of it, and what cures it.
 #pragma once
 
 #include "command_line/model_options.h"
@@ -17,7 +18,23 @@ struct PictureRequest : Experiment {
     // The image as a file; a PPM or BMP has 2^exposure times the radiance. Throws what the Gaussian processes throw.
     std::string report() const final;
 
-    // The image of linear radiance in this light. Prints what to expect of it.
+    // Prints what to expect of the picture in this light.
+    virtual void advise(const EnvironmentMap& light) const;
+
+    // The image of linear radiance in this light.
     virtual Image image(const EnvironmentMap& light) const;
 };
+
+// If this many samples in random directions miss this light, prints a note on what to expect; returns whether they do:
+// whether 1.4 c / sqrt(samples), the error relative to the brightness, is above a half. c is the contrast of the light,
+// and 1.4 the median over 21 lights, from 0.9 to 2.6; for one small lamp 2 / sqrt(3) = 1.155 can be derived.
+bool note_missed_light(const EnvironmentMap& light, std::size_t samples);
+
+// The picture with the rules of these settings. First prints a warning, if in one of two worlds, a white one or one of
+// noise (white_brightness, noise_gain), their error is more than twice that of Monte Carlo with as many samples. Throws
+// what the Gaussian processes throw.
+Image warned_picture(const EnvironmentMap& light, const RenderSettings& settings);
+
+// Prints a warning if more than a tenth of the objects' pixels is brighter than white, at this exposure.
+void warn_of_exposure(const Image& image, double exposure);
 }  // namespace bmc

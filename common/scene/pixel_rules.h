@@ -14,7 +14,7 @@ enum class Method {
     rotated,  // the same, its directions rotated at random about the normal in every pixel
     pool      // one of several (of a fixed set: one): a first random number chooses it, a second one rotates it
 };
-constexpr const char* method_names[] = {"mc", "direct", "single", "rotated", "pool"};
+inline constexpr const char* method_names[] = {"mc", "direct", "single", "rotated", "pool"};
 
 struct RenderSettings : ModelSettings {
     Method method = Method::pool;

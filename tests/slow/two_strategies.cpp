@@ -5,7 +5,7 @@
 // with the cosine known, and by BMC of the visibility alone, where the light is known as well. With two arguments, a
 // strategy and a number, only lines of these.
 #include "experiments/picture_cost.h"
-#include "light/averages.h"
+#include "light/texels_on_sphere.h"
 
 #include <cstdio>
 

@@ -1,6 +1,6 @@
-#include "scene/advice.h"
+#include "scene/picture_request.h"
 
-#include "light/averages.h"
+#include "light/texels_on_sphere.h"
 #include "test.h"
 
 TEST_CASE("more than a tenth of the objects' pixels above white gives a warning, of the brightest hundredth or pixel") {
@@ -28,7 +28,7 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
 
 static std::string warning_of(RenderSettings settings) {
     settings.width = settings.height = 1;
-    return stderr_of([&] { warned_shader(even_map(2, 2, 1), settings); });
+    return stderr_of([&] { warned_picture(even_map(2, 2, 1), settings); });
 }
 
 // The noise passes both thresholds in small steps: weights cancel where it is small, and vanish where it is large.

@@ -9,7 +9,7 @@ TEST_CASE("of two known factors the last one counts") {
     request.add_options(options);
     parse({"--known=light", "--known=cosine"}, options);
     CHECK(request.settings.known_part == KnownPart::cosine);
-    CHECK(!request.by_visibility);
+    CHECK(!request.light_known);
 }
 
 TEST_CASE("errors in a PFM are as predicted, of each colour") {

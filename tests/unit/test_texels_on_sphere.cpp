@@ -1,7 +1,5 @@
-#include "beyond/known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
 #include "test.h"
-
-using namespace bmc::beyond;
 
 TEST_CASE("the pieces of a map cover the sphere once, each within its texel") {
     for (const auto& [width, height] : {std::pair(1, 1), {9, 5}, {40, 1}}) {

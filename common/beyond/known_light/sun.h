@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "beyond/known_light/texels_on_sphere.h"
+#include "light/texels_on_sphere.h"
 #include "scene/scene.h"
 
 #include <memory>

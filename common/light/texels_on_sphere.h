@@ -1,9 +1,11 @@
-// The texels of an environment map as pieces of the sphere, for averages over directions.
+// The texels of an environment map as pieces of the sphere, and means of the map over all directions.
 #pragma once
 
-#include "light/averages.h"
+#include "light/environment.h"
 
-namespace bmc::beyond {
+#include <algorithm>
+
+namespace bmc {
 // The texels that have a solid angle. Only u = 1 or v = 1 meets the last column or row (environment.h), so these have
 // no area and are left out; a map of one row or column keeps it. If there are too few texels, each is cut into equal
 // pieces.
@@ -37,4 +39,36 @@ struct TexelsOnSphere {
 inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
     return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
 }
-}  // namespace bmc::beyond
+
+// R + G + B, where one number stands for a radiance.
+inline double brightness(Colour c) { return c.x + c.y + c.z; }
+
+// The mean over all directions of f(L).
+template <class Function>
+double mean_over_directions(const EnvironmentMap& map, Function f) {
+    const TexelsOnSphere texels(map);
+    double sum = 0;
+    for (int row = 0; row < texels.rows; ++row) {
+        double row_sum = 0;
+        for (int column = 0; column < texels.columns; ++column) row_sum += f(texels(row, column));
+        sum += texels.solid_angle(row) * row_sum;
+    }
+    return sum / (4 * portable::pi);
+}
+
+// The mean over all directions of (b - mean)^power, where b is brightness(L) and has this mean.
+inline double central_moment(const EnvironmentMap& map, double mean, int power) {
+    return mean_over_directions(map, [=](Colour c) {
+        double product = 1;
+        for (int i = 0; i < power; ++i) product *= brightness(c) - mean;
+        return product;
+    });
+}
+
+// c, the standard deviation of the light over its mean; nan for a black one. N independent samples err by about
+// c / sqrt(N) of what they estimate, so where c > sqrt(N) they miss the light.
+inline double contrast(const EnvironmentMap& map) {
+    const double mean = mean_over_directions(map, brightness);
+    return std::sqrt(central_moment(map, mean, 2)) / mean;
+}
+}  // namespace bmc
