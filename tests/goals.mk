@@ -14,27 +14,20 @@
 # make syntax       whether each source and header compiles alone: by CXX, clang++ with libc++, at its strictest
 # make format-check whether clang-format would change a source (the lines of smallbmc.cpp are set by hand)
 
-# With UNIT_AS_ONE=yes the unit tests are one source: a third of the time where they only run.
-TESTS = $(if $(UNIT_AS_ONE),$(BUILD)/unit_sources.o,$(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/unit/*.cpp)))
-.PHONY: doctest test unit references handout grade mutations portability sanitizers threads fuzz figures seconds
-.PHONY: format-check syntax
+.PHONY: test unit programs sources references handout grade mutations portability sanitizers threads fuzz
+.PHONY: figures seconds format-check syntax
 
-# Unit tests take longer to compile than to run, and their header longest: it is read once, but for main.cpp, which sets
-# doctest up.
-UNIT = -O1 -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS
-UNIT_HEADER = $(BUILD)/tests/unit.h
-$(UNIT_HEADER).gch: $(wildcard tests/unit/test.h common/*/*.h common/*/*/*.h) $(BUILD)/settings | doctest
-	@mkdir -p $(@D) && echo '#include "$(abspath $<)"' > $(UNIT_HEADER)
-	$(call say,CXX $<) $(COMPILE) $(UNIT) -x c++-header -MD -MP $(UNIT_HEADER) -o $@
-$(TESTS): $(if $(UNIT_AS_ONE),,$(HEADERS:%=$(UNIT_HEADER).gch)) | doctest
-$(TESTS): EXTRA = $(UNIT)
-$(TESTS): HEADERS := $(HEADERS:%=$(UNIT_HEADER))
-$(BUILD)/tests/unit/main.o: HEADERS =
-doctest:
-	@CXX="$(CXX)" CPPFLAGS="$(CPPFLAGS)" tests/require_tool doctest test
-
-# Linked again when a test goes, too.
-$(BUILD)/unit_tests: $(TESTS) $(COMMON) tests/unit
+# All unit tests are one source, which reads each header once; they take longer to compile than to run. So are, where
+# programs only run, all sources of common/: one source hides a missing #include. Made again when a file goes, too.
+$(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp) tests/unit
+$(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/*/*.cpp common/*/ common/*/*/)
+$(BUILD)/%_sources.cpp: | $(BUILD)/settings
+	@printf '#include "%s"\n' $(filter %.cpp,$^) > $@
+$(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
+	$(call say,CXX $<) $(COMPILE) -I. $(EXTRA) -MMD -MP -c $< -o $@
+$(BUILD)/unit_sources.o: EXTRA = -O0 -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS
+ONE_SOURCE = COMMON='$$(BUILD)/common_sources.o'
+$(BUILD)/unit_tests: $(BUILD)/unit_sources.o $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o $(COMMON)
@@ -42,59 +35,56 @@ $(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o $(COMMON)
 $(BUILD)/compare $(BUILD)/check_tasks:
 	$(call say,LINK $@) $(LINK) -o $@
 
-test: all $(BUILD)/unit_tests $(BUILD)/compare
-	BUILD=$(BUILD) BIN=$(BIN) tests/output/run
+# The sources of other goals are compiled as well, but to nothing: a change that breaks one is noticed at once.
+SEEN = $(patsubst %.cpp,$(BUILD)/%.seen,common/smallbmc.cpp $(wildcard tests/course/*.cpp tests/slow/*.cpp))
+$(SEEN): $(BUILD)/%.seen: %.cpp $(BUILD)/settings
+	@mkdir -p $(@D)
+	$(call say,SYNTAX $<) $(COMPILE) -Wno-conversion -fsyntax-only -MMD -MP -MT $@ -MF $@.d $< && touch $@
 
+# Three parts, which make runs side by side.
+test: unit programs sources
 unit: $(BUILD)/unit_tests
-	BUILD=$(BUILD) tests/output/run unit_tests
+	$(BUILD)/unit_tests
+programs sources: all $(BUILD)/compare
+	BUILD=$(BUILD) BIN=$(BIN) bash tests/output/run $@
+sources: $(SEEN)
 
 ONLY = *
 references: all
-	BUILD=$(BUILD) BIN=$(BIN) tests/output/run --rewrite '$(ONLY)'
+	BUILD=$(BUILD) BIN=$(BIN) bash tests/output/run --rewrite '$(ONLY)'
 
 handout: all $(BUILD)/check_tasks
-	BUILD=$(BUILD) BIN=$(BIN) tests/course/handout
+	BUILD=$(BUILD) BIN=$(BIN) bash tests/course/handout
 
 SUBMISSION = .
 grade:
-	BUILD=$(BUILD) CXX="$(CXX)" tests/course/grade "$(SUBMISSION)"
+	BUILD=$(BUILD) CXX="$(CXX)" bash tests/course/grade "$(SUBMISSION)"
 
-mutations: doctest
-	tests/slow/mutations
+mutations:
+	bash tests/slow/mutations
 
 portability: all $(BUILD)/compare
-	BUILD=$(BUILD) tests/slow/portability
-
-# All sources of common/, or all unit tests, as one: a fifth of the time where they only run. One source hides a
-# missing #include, so the programs and one configuration of portability do without.
-$(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/*/*.cpp)
-$(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp) tests/unit
-$(BUILD)/%_sources.cpp: | $(BUILD)/settings
-	@mkdir -p $(@D)
-	@printf '#include "%s"\n' $(filter %.cpp,$^) > $@
-$(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
-	$(call say,CXX $<) $(COMPILE) -w -I. -Itests/unit $(EXTRA) -MMD -MP -c $< -o $@
-ONE_SOURCE = HEADERS= COMMON='$$(BUILD)/common_sources.o' UNIT_AS_ONE=yes
+	BUILD=$(BUILD) bash tests/slow/portability
 
 SANITIZED = $(BUILD)/sanitizers
 sanitizers:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined" $(ONE_SOURCE) \
 	    BUILD=$(SANITIZED) BIN=$(SANITIZED) all $(SANITIZED)/unit_tests $(SANITIZED)/compare
-	BUILD=$(SANITIZED) BIN=$(SANITIZED) tests/output/run has_symbols __asan_init __ubsan_handle_add_overflow_abort
-	BUILD=$(SANITIZED) BIN=$(SANITIZED) QUICK=yes tests/output/run product
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) bash tests/output/run has_symbols __asan_init __ubsan_handle_add_overflow_abort
+	$(SANITIZED)/unit_tests
+	BUILD=$(SANITIZED) BIN=$(SANITIZED) QUICK=yes bash tests/output/run product
 
 THREADS = $(BUILD)/threads
 threads:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=thread" $(ONE_SOURCE) \
 	    BUILD=$(THREADS) BIN=$(THREADS) $(THREADS)/renderer $(THREADS)/compare
-	BUILD=$(THREADS) BIN=$(THREADS) tests/output/run has_symbols __tsan_init
-	BUILD=$(THREADS) BIN=$(THREADS) tests/output/run references '*.p?m' --threads 7
+	BUILD=$(THREADS) BIN=$(THREADS) bash tests/output/run has_symbols __tsan_init
+	BUILD=$(THREADS) BIN=$(THREADS) bash tests/output/run references '*.p?m' --threads 7
 
 # What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.
 FUZZ = $(BUILD)/fuzz
 FUZZ_SECONDS = 60
 fuzz:
-	@tests/require_tool libFuzzer fuzz
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
 	    BUILD=$(FUZZ) $(ONE_SOURCE) LDFLAGS=-fsanitize=fuzzer $(FUZZ)/fuzz
 	mkdir -p $(FUZZ)/found && cp tests/output/bright.hdr tests/output/directions.txt $(FUZZ)/found
@@ -105,7 +95,7 @@ $(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
 figures seconds: all $(BUILD)/compare
-	BUILD=$(BUILD) BIN=$(BIN) tests/figures/draw $(if $(filter seconds,$@),--seconds)
+	BUILD=$(BUILD) BIN=$(BIN) bash tests/figures/draw $(if $(filter seconds,$@),--seconds)
 
 # A header that is included first, and alone. libc++ includes fewer of its headers than others do, without these.
 ALONE = $(wildcard *.cpp common/*/*.cpp common/*/*/*.cpp common/*/*.h common/*/*/*.h)
@@ -116,6 +106,5 @@ $(BUILD)/syntax/%: % always
 	    -D_LIBCPP_REMOVE_TRANSITIVE_INCLUDES -fsyntax-only -include $< -x c++ /dev/null
 
 format-check:
-	@tests/require_tool clang-format format-check
 	find *.cpp common tests \( -name '*.cpp' -o -name '*.h' \) ! -name smallbmc.cpp \
 	    -exec clang-format --dry-run -Werror {} +

@@ -1,6 +1,10 @@
 // What several tests use. A test makes the scene and the light that it needs, unless it is about the built-in ones.
 #pragma once
 
+#if !__has_include(<doctest/doctest.h>)
+#error "the unit tests need doctest; tests/setup test installs it, or shows the names of Debian's packages"
+#endif
+
 #include "scene/picture_request.h"
 
 #include <doctest/doctest.h>
