@@ -3,11 +3,9 @@
 #pragma once
 
 #include "base/formatted.h"
-#include "base/portable_math.h"
 #include "base/terminal.h"
+#include "quadrature/quadrature.h"
 
-#include <functional>
-#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -70,6 +68,17 @@ struct Options {
         for (const std::string& name : names) named(name).idle.emplace_back(with, holds);
     }
 };
+
+// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
+inline constexpr std::size_t max_process_samples = 4096;
+
+// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed.
+void add_model_options(Options& options, ModelSettings& settings);
+inline constexpr const char* known_remark =
+    ": known factor of the integrand; a cosine placement makes it cosine unless given";
+
+// Adds samples: a list such as 10,20,40, each at most max_process_samples.
+void add_sample_list(Options& options, std::vector<std::size_t>& samples);
 
 // What a program can be asked for.
 struct Experiment {

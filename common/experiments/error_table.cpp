@@ -75,7 +75,9 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 }
 
 void ErrorTables::add_options(Options& options) {
-    options.add("integrand", practice_integrand_names, integrand);
+    std::vector<std::string> names{integrand};
+    for (const NamedIntegrand& named : named_integrands()) names.push_back(named.name);
+    options.add(choice("integrand", names, 0, "", [=](std::size_t chosen) { integrand = names[chosen]; }));
     add_sample_list(options, settings.samples);
     options.add("mc-estimates", "M", "MC estimates averaged in each row", settings.mc_estimates, 1, 100000);
     options.add("bmc-estimates", "M", "BMC estimates averaged in each row", settings.bmc_estimates, 1, 100000);
@@ -83,7 +85,9 @@ void ErrorTables::add_options(Options& options) {
 }
 
 std::string ErrorTables::report() const {
-    const std::vector<Integrand> integrands = practice_integrands(integrand);
+    std::vector<Integrand> integrands;
+    for (const NamedIntegrand& named : named_integrands())
+        if (integrand == "all" ? named.in_practice : integrand == named.name) integrands.push_back(named.make());
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
     for (const std::size_t n : settings.samples) {

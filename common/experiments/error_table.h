@@ -4,7 +4,7 @@
 
 #include "base/statistics.h"
 #include "base/terminal.h"
-#include "command_line/model_options.h"
+#include "command_line/command_line.h"
 #include "experiments/integrands.h"
 
 namespace bmc {
@@ -38,7 +38,7 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
 
 // What the workbench prints without a command: the tables of the practice's integrands.
 struct ErrorTables : Experiment {
-    std::size_t integrand = 0;  // its place in practice_integrand_names
+    std::string integrand = "all";  // the name of one, or all of the practice's
     ErrorSettings settings;
 
     void add_options(Options& options) override;

@@ -5,16 +5,24 @@
 #include <numeric>
 
 namespace bmc {
-// In the order of their names. The environment's takes time, so it is left out where it is not wanted.
-std::vector<Integrand> practice_integrands(std::size_t chosen) {
-    const bool lit = chosen == 0 || practice_integrand_names[chosen] == std::string("environment");
-    const std::vector<Integrand> all{
-        {"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi},
-        {"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2},
-        lit ? environment_integrand(std::make_shared<const EnvironmentMap>(load_environment())) : Integrand{},
-        {"1", [](Vec3) { return 1.0; }, 2 * portable::pi}};
-    if (chosen == 0) return all;
-    return {all.at(chosen - 1)};
+static Integrand cosine() {
+    return {"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi};
+}
+static Integrand cosine_cubed() {
+    return {"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2};
+}
+static Integrand built_in_light() {
+    return environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()));
+}
+static Integrand constant() {
+    return {"1", [](Vec3) { return 1.0; }, 2 * portable::pi};
+}
+
+std::vector<NamedIntegrand> named_integrands() {
+    return {{"cosine", true, cosine},
+            {"cosine-cubed", true, cosine_cubed},
+            {"environment", true, built_in_light},
+            {"constant", true, constant}};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
@@ -29,6 +37,7 @@ double reference_integral(const std::function<double(Vec3)>& f) {
 
 std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions, KnownPart p) {
     std::vector<double> values;
+    values.reserve(directions.size());
     for (const Vec3& omega : directions) values.push_back(f(omega) / known_value(p, omega));
     return values;
 }

@@ -16,10 +16,13 @@ struct Integrand {
     double truth;
 };
 
-// The practice's integrands: cos(theta), cos(theta)^3, environment_integrand of the built-in light, and 1. The
-// workbench makes a table of each, or of the one that was chosen by its place in the list; 0 chooses all.
-inline constexpr const char* practice_integrand_names[] = {"all", "cosine", "cosine-cubed", "environment", "constant"};
-std::vector<Integrand> practice_integrands(std::size_t chosen = 0);
+// An integrand that the workbench knows by name. It is made when it is wanted: a light takes time.
+struct NamedIntegrand {
+    const char* name;
+    bool in_practice;  // is one of the practice's four: cos(theta), cos(theta)^3, that of the built-in light, and 1
+    Integrand (*make)();
+};
+std::vector<NamedIntegrand> named_integrands();
 
 // The luminance of a light times cos(theta) above a tilted surface. Its truth is reference_integral.
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light);

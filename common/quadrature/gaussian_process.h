@@ -37,8 +37,8 @@ struct GaussianProcess {
     // of values below 1e-140 or above 1e150 would lose digits or overflow.
     double amplitude(const std::vector<double>& values) const;
 
-    // The error bar of integral(values): a sqrt(V), the posterior standard deviation. nan if V is below 1e-12 zz: then V
-    // is only the rounding error of a difference.
+    // The error bar of integral(values): a sqrt(V), the posterior standard deviation. nan if V is below 1e-12 zz: then
+    // V is only the rounding error of a difference.
     double error_bar(const std::vector<double>& values) const {
         return variance < 1e-12 * zz ? NAN : amplitude(values) * std::sqrt(variance);
     }

@@ -2,7 +2,7 @@
 // expect of it, and what cures it.
 #pragma once
 
-#include "command_line/model_options.h"
+#include "command_line/command_line.h"
 #include "light/environment.h"
 #include "scene/render.h"
 
