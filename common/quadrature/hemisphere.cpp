@@ -1,8 +1,6 @@
 #include "quadrature/hemisphere.h"
 
-#include "quadrature/covariance.h"
-
-#include <algorithm>
+#include "base/terminal.h"
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
@@ -49,27 +47,22 @@ std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart density) {
     return directions;
 }
 
-// As k is 8/3 - r, moving omega_i lowers V by 2 w (what it adds to z_i + w times what it adds to the distances to the
-// others). Each direction in turn tries a random move, shorter from sweep to sweep, and makes it if it lowers V.
-std::vector<Vec3> optimised_directions(std::size_t n, KnownPart p) {
+// As k is 8/3 - r, V falls as the distances between the directions grow. Each direction in turn tries another azimuth,
+// nearer from sweep to sweep, and keeps it if the sum of the distances grows.
+std::vector<Vec3> optimised_directions(std::size_t n, KnownPart density) {
     constexpr int sweeps = 50;
-    const double w = known_integral(p) / static_cast<double>(n), reach = 1.2 / std::sqrt(static_cast<double>(n));
-    const Sobolev sobolev;
-    const SobolevKnownCosine with_cosine;
-    const Covariance& covariance = p == KnownPart::cosine ? with_cosine : sobolev;
-    const auto z = [&](Vec3 d) { return covariance.z(std::min(d.y, 1.0)); };
-    std::vector<Vec3> directions = fibonacci_directions(n, p);
+    std::vector<Vec3> directions = fibonacci_directions(n, density);
     Random random(0, n);
-    for (int sweep = sweeps; sweep > 0; --sweep)
+    Progress progress("directions", sweeps);
+    for (int sweep = sweeps; sweep > 0; --sweep) {
         for (Vec3& from : directions) {
-            Vec3 to = from;
-            for (double* axis : {&to.x, &to.y, &to.z}) *axis += reach * sweep / sweeps * (2 * random.uniform() - 1);
-            to = normalize(to);
-            to.y = std::fabs(to.y);
+            const Vec3 to = rotate_around_y(from, (random.uniform() - 0.5) * sweep / sweeps);
             double farther = -length(to - from);  // from the others; the sum counts the place that it leaves, too
             for (const Vec3& other : directions) farther += length(to - other) - length(from - other);
-            if (z(to) + w * farther > z(from)) from = to;
+            if (farther > 0) from = to;
         }
+        progress.done();
+    }
     return directions;
 }
 
