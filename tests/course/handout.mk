@@ -3,22 +3,23 @@
 # make test         your own tests, which begin in tests/test_process.cpp
 # make hand-in      hand-in.tar.gz: the files with tasks
 
-.PHONY: check test hand-in
+.PHONY: check test hand-in doctest
+TASK =
+unexport BASH_ENV  # which may print
 WARNINGS += -Wno-unused-parameter -Wno-unused-function -Wno-unused-variable  # of what no task uses yet
 
 # For the check your files are compiled once more, as grading compiles them. If one gives no program with the others as
 # they were handed out, an .err stays beside its object, which is that of the file as it was handed out.
 CHECK = $(BUILD)/tests/check
-TASK_SOURCES := $(shell bash -c '. tests/tasks && echo $${files[*]}')
+TASK_SOURCES := $(shell BASH_ENV= bash -c '. tests/tasks && echo $${files[*]}')
 MINE = $(TASK_SOURCES:%.cpp=$(CHECK)/%.o)
 HANDED_OUT = $(TASK_SOURCES:%.cpp=$(CHECK)/tests/handed_out/%.o)
 GIVEN = $(filter-out $(TASK_SOURCES:%.cpp=$(BUILD)/%.o),$(COMMON))
 OTHERS = $(CHECK)/tests/check_tasks.o $(GIVEN)
-CHECK_COMPILE = $$(cat $(CHECK)/compiler) $(HEADERS:%=-include $(CHECK)/standard.h) -Icommon -MMD -MP -c $< -o $@
+CHECK_COMPILE = $$(cat $(CHECK)/compiler) -Icommon -MMD -MP -c $< -o $@
 
-$(CHECK)/compiler: tests/tasks $(BUILD)/settings $(HEADERS:=.gch)
+$(CHECK)/compiler: tests/tasks $(BUILD)/settings
 	@mkdir -p $(@D) && CXX='$(CXX)' bash -c '. tests/tasks && set_compiler && echo "$${compiler[*]}"' > $@
-	$(if $(HEADERS),@cp $(HEADERS) $(@D) && $$(cat $@) -x c++-header $(HEADERS) -o $(@D)/standard.h.gch)
 $(HANDED_OUT) $(CHECK)/tests/check_tasks.o: $(CHECK)/%.o: %.cpp $(CHECK)/compiler
 	$(call say,CXX $<) mkdir -p $(@D) && $(CHECK_COMPILE)
 $(MINE): $(CHECK)/%.o: %.cpp $(HANDED_OUT) $(OTHERS)
@@ -35,12 +36,14 @@ check: $(BUILD)/compare $(CHECK)/check_tasks
 
 TESTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/test_*.cpp))
 $(TESTS): EXTRA = -O1
+$(TESTS): | doctest
+doctest:
+	@echo '#include <doctest/doctest.h>' | $(CXX) $(CPPFLAGS) -E -x c++ - > /dev/null 2>&1 || \
+	    { echo 'make test needs doctest: apt-get install doctest-dev, or brew install doctest' >&2; false; }
 $(BUILD)/tests/all_tests: $(TESTS) $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
-test:
-	@echo '#include <doctest/doctest.h>' | $(CXX) -E -x c++ - > /dev/null 2>&1 || \
-	    { echo 'make test needs doctest: apt-get install doctest-dev, or brew install doctest' >&2; false; }
-	@$(MAKE) $(BUILD)/tests/all_tests && $(BUILD)/tests/all_tests
+test: $(BUILD)/tests/all_tests
+	@$<
 
 # Without the variable, tar on a Mac adds a file ._NAME for each.
 hand-in:
