@@ -34,10 +34,10 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
         compared.push_back(picture_of_known(light, Method::pool, placement.is_fixed() ? 1 : 20, placement));
     }
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
-    Progress progress("rows", 2 * compared.size());
+    Progress progress("rows", compared.size() * samples.size());
     std::vector<PictureCost> rows;
     for (const PictureCost& picture : compared)
-        for (const std::size_t n : {10u, 40u}) {
+        for (const std::size_t n : samples) {
             const EnvironmentLight& light_of_picture = picture.known_column == std::string("light") ? light : unknown;
             RootMeanSquare predicted;
             Statistics covered;

@@ -40,6 +40,7 @@ void PictureReport::add_options(Options& options) {
     options.add("size", "W", "size of the pictures: W x W pixels", costs.size, 2, 1024);
     options.add("seed", "K", "seed of the random numbers", costs.seed, 0, UINT64_MAX);
     options.add("no-times", "leave out measured times, which differ from run to run", costs.untimed);
+    add_sample_list(options, samples);
 }
 
 std::string PictureReport::report() const {

@@ -19,6 +19,7 @@ struct CostSettings {
 // A report on pictures under one light, or under each of the built-in ones.
 struct PictureReport : Experiment {
     std::string environment;  // empty: the built-in lights
+    std::vector<std::size_t> samples{10, 40};
     CostSettings costs;
 
     void add_options(Options& options) override;

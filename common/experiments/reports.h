@@ -54,9 +54,6 @@ struct LightFile : Experiment {
 // tradeoff: what accuracy costs. The time of each step of a rule, and the errors and the time of a picture by every
 // method.
 struct TradeoffReport : PictureReport {
-    std::vector<std::size_t> samples{10, 40};
-
-    void add_options(Options& options) override;
     std::string report() const override;
     std::string table(const std::string& name, const EnvironmentMap& light) const override;
 };

@@ -62,11 +62,6 @@ static std::string rule_report() {
                usual.width, usual.height, pixels, usual.samples, pixels * usual_seconds, pixels * sum_seconds / 60);
 }
 
-void TradeoffReport::add_options(Options& options) {
-    PictureReport::add_options(options);
-    add_sample_list(options, samples);
-}
-
 std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
 
 std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
