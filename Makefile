@@ -17,10 +17,9 @@ $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON) $(wildcard co
 
 # An object is made of a source, and of the headers that are listed beside it when it is compiled; also of the settings,
 # the command that compiles.
-HEADERS = $(BUILD)/standard.h
-$(BUILD)/%.o: %.cpp $(BUILD)/settings | $(HEADERS:=.gch)
+$(BUILD)/%.o: %.cpp $(BUILD)/settings
 	@mkdir -p $(@D)
-	$(call say,CXX $<) $(COMPILE) $(HEADERS:%=-include %) $(EXTRA) -MMD -MP -c $< -o $@
+	$(call say,CXX $<) $(COMPILE) $(EXTRA) -MMD -MP -c $< -o $@
 
 # Both programs include headers of common/beyond if it exists: the folder common changes when it comes or goes.
 $(BUILD)/workbench.o $(BUILD)/renderer.o: common
@@ -53,11 +52,6 @@ say = $(if $(V)$(SILENT),,@echo '$(1)' &&)
 ifeq ($(MAKELEVEL)$(filter -j% --jobserver%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
-
-# The standard headers, read once: that saves 38 % of the time of a first make. Without it: HEADERS=
-$(BUILD)/standard.h.gch: $(BUILD)/settings
-	@printf '#include <%s>\n' algorithm cmath functional memory optional stdexcept string vector > $(BUILD)/standard.h
-	$(call say,CXX the standard headers) $(COMPILE) -x c++-header -MD -MP $(BUILD)/standard.h -o $@
 
 # Rewritten when the compile command changes, which makes every object out of date. make clean removes a folder that has
 # it: so a folder with files that make did not make gets none.

@@ -13,7 +13,8 @@ using Request = bmc::PictureRequest;
 
 int main(int argc, char** argv) {
     return bmc::run_program("renderer", [&] {
-        return bmc::run_command({"", "", std::make_shared<Request>(), "out.ppm"},
+        Request request;
+        return bmc::run_command({"", "", request, "out.ppm"},
                                 R"(usage: ./renderer [options] > out.ppm
        ./renderer --method direct --samples 20 --size 100 > direct.ppm
 

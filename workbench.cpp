@@ -19,14 +19,20 @@ inline std::vector<Command> commands() { return {}; }
 using namespace bmc;
 
 static std::string run(int argc, char** argv) {
-    std::vector<Command> commands{
-        {"", "errors of Monte Carlo and Bayesian MC", std::make_shared<ErrorTables>()},
-        {"rule", "directions and weights of a rule", std::make_shared<RuleReport>()},
-        {"belief", "what a Gaussian process believes, > belief.ppm", std::make_shared<Belief>(), "belief.ppm"},
-        {"light", "an environment as a PFM file, > desert.pfm", std::make_shared<LightFile>(), "desert.pfm"},
-        {"tradeoff", "what accuracy costs", std::make_shared<TradeoffReport>()},
-        {"models", "covariances and noise compared", std::make_shared<ModelsReport>()},
-        {"stability", "where the arithmetic breaks", std::make_shared<StabilityReport>()}};
+    ErrorTables tables;
+    RuleReport rule;
+    Belief belief;
+    LightFile light;
+    TradeoffReport tradeoff;
+    ModelsReport models;
+    StabilityReport stability;
+    std::vector<Command> commands{{"", "errors of Monte Carlo and Bayesian MC", tables},
+                                  {"rule", "directions and weights of a rule", rule},
+                                  {"belief", "what a Gaussian process believes, > belief.ppm", belief, "belief.ppm"},
+                                  {"light", "an environment as a PFM file, > desert.pfm", light, "desert.pfm"},
+                                  {"tradeoff", "what accuracy costs", tradeoff},
+                                  {"models", "covariances and noise compared", models},
+                                  {"stability", "where the arithmetic breaks", stability}};
     for (const Command& command : beyond::commands()) commands.push_back(command);
     const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";  // "": no command
     std::string names, usages;

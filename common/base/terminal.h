@@ -1,7 +1,6 @@
 // What a person sees on standard error: notes, and how far a long calculation is.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -11,9 +10,8 @@ namespace bmc {
 inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 
-// A phase of a long calculation, which consists of equal parts. Once the program has run for a second, a terminal shows
-// "2. picture: 43 %, 12 s left" until the phase ends; the number counts the phases that it has shown. A phase inside
-// another one is a part of it, and shows nothing itself.
+// A phase of a long calculation, which consists of equal parts. After its first second a terminal shows "picture: 43 %,
+// 12 s left", until it ends.
 class Progress {
 public:
     Progress(const std::string& phase, std::size_t parts);
@@ -21,10 +19,9 @@ public:
     void done();  // one part more; any thread may call this
 
 private:
-    const bool inside_another_;
     const std::string phase_;
     const std::size_t parts_;
-    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    const double start_;  // seconds
     std::size_t done_ = 0, percent_ = 0;
 };
 }  // namespace bmc

@@ -15,6 +15,7 @@ struct KnownLightReport : PictureReport {
 
 // The commands of the workbench that go beyond the practice.
 inline std::vector<Command> commands() {
-    return {{"known-light", "what you gain by knowing the light", std::make_shared<KnownLightReport>()}};
+    static KnownLightReport report;
+    return {{"known-light", "what you gain by knowing the light", report}};
 }
 }  // namespace bmc::beyond

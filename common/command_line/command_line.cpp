@@ -13,6 +13,8 @@ namespace bmc {
 static void write_all(const std::string& output) {
 #ifdef _WIN32
     _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
+#else
+    fcntl(STDOUT_FILENO, F_SETFL, fcntl(STDOUT_FILENO, F_GETFL) & ~O_NONBLOCK);  // who reads slowly loses nothing
 #endif
     const bool written = std::fwrite(output.data(), 1, output.size(), stdout) == output.size();
     if (!written || std::fclose(stdout) != 0)  // fclose writes what is buffered
@@ -23,6 +25,28 @@ Option& Options::named(const std::string& name) {
     for (Option& option : all)
         if (option.name == name) return option;
     throw std::logic_error("there is no option " + name);
+}
+
+void Options::add(Option option) { all.push_back(std::move(option)); }
+
+void Options::add(const char* name, const char* argument, const std::string& description, std::string& text) {
+    add({name, argument, description + (text.empty() ? "" : " (default " + text + ")"),
+         [&text](const std::string& value) { text = value; }});
+}
+
+void Options::add(const char* name, const char* description, bool& given) {
+    add({name, "", description, [&given](const std::string&) { given = true; }});
+}
+
+void Options::make_idle(const std::vector<std::string>& names, const std::string& with,
+                        const std::function<bool()>& holds) {
+    for (const std::string& name : names) named(name).idle.emplace_back(with, holds);
+}
+
+Options Experiment::options() {
+    Options all;
+    add_options(all);
+    return all;
 }
 
 Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
@@ -78,7 +102,7 @@ static void apply(const Option& option, int found, const std::string& value, boo
     }
 }
 
-std::set<std::string> parse_options(int argc, char** argv, const Options& options) {
+std::vector<std::string> parse_options(int argc, char** argv, const Options& options) {
     constexpr int first = 256;  // above all letters
     std::vector<::option> table;
     for (const Option& option : options.all)
@@ -86,7 +110,7 @@ std::set<std::string> parse_options(int argc, char** argv, const Options& option
                          first + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
     opterr = 0;
-    std::set<std::string> given;
+    std::vector<std::string> given;
     for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
         const char* const word = argv[optind - 1];
         if (found == '?' && optopt < first) {  // a letter, or 0
@@ -96,7 +120,7 @@ std::set<std::string> parse_options(int argc, char** argv, const Options& option
         }
         const Option& chosen = options.all[static_cast<std::size_t>((found < first ? optopt : found) - first)];
         apply(chosen, found, optarg ? optarg : "", optarg == word);
-        given.insert(chosen.name);
+        given.push_back(chosen.name);
     }
     return given;
 }
@@ -114,9 +138,9 @@ std::string describe(const Options& options) {
 
 std::string run_command(const Command& command, const std::string& usage, int argc, char** argv) {
     bool help = false;
-    Options options = command.experiment->options();
+    Options options = command.experiment.options();
     options.add("help", "print this text", help);
-    const std::set<std::string> given = parse_options(argc, argv, options);
+    const std::vector<std::string> given = parse_options(argc, argv, options);
     if (help) return usage + '\n' + describe(options);
     if (optind < argc)
         throw std::invalid_argument(
@@ -125,9 +149,9 @@ std::string run_command(const Command& command, const std::string& usage, int ar
         throw std::invalid_argument("the picture would go to the terminal; add > " + command.file);
     for (const Option& option : options.all)
         for (const auto& [with, holds] : option.idle)
-            if (given.count(option.name) > 0 && holds())
+            if (std::count(given.begin(), given.end(), option.name) > 0 && holds())
                 print_note("note: --" + option.name + " changes nothing " + with);
-    return command.experiment->report();
+    return command.experiment.report();
 }
 
 double parse_real(const std::string& text, double low, double high) {

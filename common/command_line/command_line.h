@@ -6,7 +6,6 @@
 #include "base/terminal.h"
 #include "quadrature/quadrature.h"
 
-#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -39,18 +38,13 @@ Option choice(const char* name, const std::vector<std::string>& names, std::size
 struct Options {
     std::vector<Option> all;
 
-    void add(Option option) { all.push_back(std::move(option)); }
+    void add(Option option);
     Option& named(const std::string& name);  // the one of this name
 
     // Adds one that sets a text, a switch, a number from low to high, or a value that has a name. The description ends
     // with what it is by default, if that is not empty.
-    void add(const char* name, const char* argument, const std::string& description, std::string& text) {
-        add({name, argument, description + (text.empty() ? "" : " (default " + text + ")"),
-             [&text](const std::string& value) { text = value; }});
-    }
-    void add(const char* name, const char* description, bool& given) {
-        add({name, "", description, [&given](const std::string&) { given = true; }});
-    }
+    void add(const char* name, const char* argument, const std::string& description, std::string& text);
+    void add(const char* name, const char* description, bool& given);
     template <class Number>
     void add(const char* name, const char* argument, const char* description, Number& number,
              std::common_type_t<Number> low, std::common_type_t<Number> high) {
@@ -64,9 +58,7 @@ struct Options {
     }
 
     // The options of these names change nothing "with --rmse", where that holds.
-    void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds) {
-        for (const std::string& name : names) named(name).idle.emplace_back(with, holds);
-    }
+    void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds);
 };
 
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
@@ -86,11 +78,7 @@ struct Experiment {
     Experiment(const Experiment&) = delete;  // its options set the members of this one
     Experiment& operator=(const Experiment&) = delete;
     virtual ~Experiment() = default;
-    Options options() {
-        Options all;
-        add_options(all);
-        return all;
-    }
+    Options options();
     virtual void add_options(Options&) {}    // they set members
     virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
 };
@@ -98,13 +86,13 @@ struct Experiment {
 struct Command {
     std::string name;  // empty: what the workbench does without a command
     std::string summary;
-    std::shared_ptr<Experiment> experiment;
+    Experiment& experiment;
     std::string file = "";  // what its output goes to, if it is no text for a terminal
 };
 
 // Applies the options in argv, and returns their names. Throws std::invalid_argument that names the option. Arguments
 // that no option takes stand behind the others from optind on (getopt_long).
-std::set<std::string> parse_options(int argc, char** argv, const Options& options);
+std::vector<std::string> parse_options(int argc, char** argv, const Options& options);
 
 // A line of at most 100 characters for each option, or two, for a help text.
 std::string describe(const Options& options);

@@ -113,6 +113,10 @@ EnvironmentMap read_radiance_hdr(std::istream& in) {
     return map;
 }
 
+std::vector<std::string> light_names() { return {std::begin(built_in_lights), std::end(built_in_lights)}; }
+
+std::string environment_help() { return "a .hdr (-: stdin), " + listed(light_names()); }
+
 EnvironmentMap load_environment(const std::string& name, std::size_t threads) {
     for (std::size_t i = 0; i < std::size(built_in_lights); ++i)
         if (name == built_in_lights[i]) return built_in_light(static_cast<BuiltInLight>(i), threads);

@@ -76,10 +76,10 @@ EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 // std::runtime_error: one line with the problem, and what converts a picture of another kind.
 EnvironmentMap read_radiance_hdr(std::istream& in);
 
-inline std::vector<std::string> light_names() { return {std::begin(built_in_lights), std::end(built_in_lights)}; }
+std::vector<std::string> light_names();
 
 // The help text of an option that takes the name of a light.
-inline std::string environment_help() { return "a .hdr (-: stdin), " + listed(light_names()); }
+std::string environment_help();
 
 // The built-in light of this name, or else the one in the .hdr file; "-" is standard input. threads: how many to use.
 // Throws std::runtime_error, one line that names the file.

@@ -1,6 +1,128 @@
 #include "beyond/known_light/known_light.h"
 
+#include "base/parallel.h"
+
+#include <stdexcept>
+
 namespace bmc::beyond {
+using portable::pi;
+
+constexpr std::size_t lookups = 32;  // per mean
+
+// Directions spread evenly over the inner three quarters of a cap around the up axis. The smaller caps around them
+// reach to the cap's edge.
+static std::vector<Vec3> cap_directions(double solid_angle) {
+    const double depth = 0.75 * solid_angle / (2 * pi);  // 1 minus the cosine of the radius
+    std::vector<Vec3> directions;
+    for (const Vec3& direction : fibonacci_directions(lookups)) {
+        const double cosine = 1 - depth * (1 - direction.y);
+        const double scale = std::sqrt((1 - cosine * cosine) / (1 - direction.y * direction.y));
+        directions.push_back({scale * direction.x, cosine, scale * direction.z});
+    }
+    return directions;
+}
+
+constexpr int light_columns = 96, light_rows = 48;  // of the cells that light is gathered in
+
+// The part, of `parts` equal ones, that texel i of n lies in.
+static std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
+
+// The integral of L omega d omega for each cell and each colour.
+static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
+    const TexelsOnSphere texels(environment, light_columns, light_rows);
+    std::vector<portable::SineCosine> azimuths;
+    for (int i = 0; i < texels.columns; ++i) azimuths.push_back(texels.azimuth(i + 0.5));
+    std::vector<Vec3> fluxes(3 * light_columns * light_rows);
+    for (int row = 0; row < texels.rows; ++row) {
+        const portable::SineCosine polar = texels.polar(row + 0.5);
+        const double solid_angle = texels.solid_angle(row);
+        for (int column = 0; column < texels.columns; ++column) {
+            const Colour light = solid_angle * texels(row, column);
+            const Vec3 direction = direction_of(polar, azimuths[static_cast<std::size_t>(column)]);
+            Vec3* flux = &fluxes[3 * (part_with(row, texels.rows, light_rows) * light_columns +
+                                      part_with(column, texels.columns, light_columns))];
+            for (const double colour : {light.x, light.y, light.z}) *flux++ += colour * direction;
+        }
+    }
+    return fluxes;
+}
+
+// E(n) is the sum of max(n . F, 0) over the fluxes F, at the corners of the table's cells. Only cells of light that are
+// cut by n's horizon are underestimated.
+static EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t threads) {
+    constexpr int columns = 128, rows = 64;
+    EnvironmentMap table(columns + 1, rows + 1);
+    const std::vector<Vec3> flux = fluxes(environment);
+    for_each_row(rows + 1, threads, [&](int row) {
+        const portable::SineCosine polar = portable::sincos_turns(0.5 * row / rows);
+        double x[columns + 1], z[columns + 1], sums[3][columns + 1] = {};
+        for (int i = 0; i <= columns; ++i) {
+            const Vec3 normal = direction_of(polar, portable::sincos_turns(static_cast<double>(i) / columns - 0.5));
+            x[i] = normal.x;
+            z[i] = normal.z;
+        }
+        for (std::size_t f = 0; f < flux.size(); ++f) {
+            const double vertical = polar.cosine * flux[f].y;
+            double* sum = sums[f % 3];
+            for (int i = 0; i <= columns; ++i) {
+                const double e = x[i] * flux[f].x + vertical + z[i] * flux[f].z;
+                sum[i] += e > 0 ? e : 0;
+            }
+        }
+        for (int i = 0; i <= columns; ++i) table.set(i, row, {sums[0][i], sums[1][i], sums[2][i]});
+    });
+    return table;
+}
+
+// Beyond 1e36 integrals would exceed the largest float.
+static const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
+    for (int i = 1; i <= map.width * map.height; ++i)
+        if (dot(map.colour(i), {1, 1, 1}) > 1e36)
+            throw std::runtime_error("this light is too bright to be known: a radiance exceeds 1e36");
+    return map;
+}
+
+// A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
+// lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
+static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Colour everywhere, std::size_t threads) {
+    const int rows = 1 + static_cast<int>(1.5 * pi / std::sqrt(solid_angle / pi)), columns = 2 * rows;
+    const std::vector<Vec3> local = cap_directions(solid_angle);
+    EnvironmentMap means(columns + 1, rows + 1);
+    for_each_row(rows + 1, threads, [&](int y) {
+        const portable::SineCosine polar = portable::sincos_turns(0.5 * (std::min(y, rows - 1) + 0.5) / rows);
+        for (int x = 0; x <= columns; ++x) {
+            const auto azimuth = portable::sincos_turns((std::min(x, columns - 1) + 0.5) / columns - 0.5);
+            const Frame frame(direction_of(polar, azimuth));
+            int texels[lookups];
+            for (std::size_t i = 0; i < lookups; ++i) texels[i] = finer.index(frame.to_world(local[i]));
+            Colour sum;
+            for (const int texel : texels) sum += finer.colour(texel);
+            means.set(x, y, 1.0 / lookups * sum + everywhere);
+        }
+    });
+    return means;
+}
+
+PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
+    : sun(not_too_bright(map)), tables_{{0, sun.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
+    const TexelsOnSphere texels(*tables_[0].means, 256, 128);
+    tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
+    Colour everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
+    double solid_angle = pi;
+    while (std::sqrt(solid_angle / pi) >= 10 * pi / texels.rows) solid_angle /= 4;
+    for (; solid_angle <= pi; solid_angle *= 4, everywhere = {}) {  // larger caps have it from the smaller ones
+        EnvironmentMap means = average(*tables_.back().means, solid_angle, everywhere, threads);
+        tables_.push_back({solid_angle, std::make_shared<const EnvironmentMap>(std::move(means))});
+    }
+}
+
+const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
+    std::size_t i = 0;
+    while (i + 1 < tables_.size() && solid_angle * solid_angle >= tables_[i].solid_angle * tables_[i + 1].solid_angle)
+        ++i;
+    return *tables_[i].means;
+}
+
 SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
     if (!light.averages || light.averages->sun.empty()) return {samples, 0};
     const double rays = 0.5 * light.averages->sun.share() * static_cast<double>(samples);
