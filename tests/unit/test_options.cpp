@@ -81,7 +81,8 @@ static bool has(const std::string& words, const std::string& word) {
 static std::string printed(const Trial& trial, const std::string& word, Strings& idle) {
     Strings arguments = split(trial.words + ' ' + word);
     std::vector<char*> argv = argv_of(arguments);
-    const Command command{"", "", trial.command()};
+    const std::shared_ptr<Experiment> experiment = trial.command();
+    const Command command{"", "", *experiment};
     std::string text, line, kept;
     std::istringstream notes(
         stderr_of([&] { text = run_command(command, "", static_cast<int>(arguments.size()), argv.data()); }));
