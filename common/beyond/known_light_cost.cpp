@@ -1,15 +1,29 @@
 #include "beyond/known_light_cost.h"
 
 namespace bmc::beyond {
-static PictureCost picture_of_known(const EnvironmentLight& light, Method method, std::size_t pool,
-                                    Placement placement) {
-    PictureCost compared = compared_picture(light.environment, method, pool, placement);
-    compared.settings.known_part = KnownPart::cosine;
-    compared.known_column = "light";
-    compared.image = [&light](const RenderSettings& settings) {
-        return render(light.environment, settings, shader_of(light, settings));
+Shader mis_shader(const EnvironmentMap& map, const Sun& light, const RenderSettings& settings) {
+    return [&map, &light, settings](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(settings, x, y);
+        const Frame frame(hit.normal);
+        std::vector<Vec3> directions = stratified_directions((settings.samples + 1) / 2, random, KnownPart::cosine);
+        for (Vec3& direction : directions) direction = frame.to_world(direction);
+        const double by_cosine = static_cast<double>(directions.size());
+        const double by_light = static_cast<double>(settings.samples) - by_cosine;
+        for (double j = 0; j < by_light; ++j) {
+            const double across = (j + random.uniform()) / by_light;
+            directions.push_back(light.ray(across, random.uniform()).direction);
+        }
+        Colour irradiance;
+        for (const Vec3& direction : directions) {
+            const double cosine = dot(hit.normal, direction);
+            if (cosine <= 0 || is_shadowed(sphere_scene, hit, direction)) continue;
+            const Colour radiance = map.radiance(direction);
+            const double densities =
+                by_light * brightness(radiance) / light.light() + by_cosine * cosine / portable::pi;
+            irradiance += cosine / densities * radiance;
+        }
+        return 1 / portable::pi * (hit.albedo * irradiance);
     };
-    return compared;
 }
 
 double coverage(const Image& image, const Image& truth, const Image& predicted) {
@@ -24,34 +38,51 @@ double coverage(const Image& image, const Image& truth, const Image& predicted) 
 
 std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
     const RenderSettings dense = row_settings(costs, {}, 10000);
-    const EnvironmentLight light(map, true, dense.threads), unknown(map, false, dense.threads);
-    std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
-                                      compared_picture(map, Method::pool, 20, {}),
-                                      compared_picture(map, Method::mc, 1, {PointSet::optimised, KnownPart::cosine})};
-    for (const Placement placement : {Placement{}, Placement{PointSet::fibonacci, KnownPart::cosine},
-                                      Placement{PointSet::optimised, KnownPart::cosine}}) {
-        compared.push_back(picture_of_known(light, Method::mc, 1, placement));
-        compared.push_back(picture_of_known(light, Method::pool, placement.is_fixed() ? 1 : 20, placement));
-    }
+    const EnvironmentLight known(map, true, dense.threads), unknown(map, false, dense.threads);
+    const Sun all(map, 0);
+    const auto knows_light = [&](PictureCost picture, auto shader) {
+        picture.known_column = "light";
+        picture.image = [=, &map](const RenderSettings& s) { return render(map, s, shader(s)); };
+        return picture;
+    };
+    constexpr Placement uniform, stratified{PointSet::stratified, KnownPart::cosine},
+        optimised{PointSet::optimised, KnownPart::cosine};
+    std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, uniform),
+                                      compared_picture(map, Method::pool, 20, uniform),
+                                      compared_picture(map, Method::mc, 1, stratified),
+                                      compared_picture(map, Method::pool, 20, stratified),
+                                      compared_picture(map, Method::mc, 1, optimised),
+                                      knows_light(compared_picture(map, Method::mc, 1, stratified),
+                                                  [&](const RenderSettings& s) { return mis_shader(map, all, s); }),
+                                      knows_light(compared_picture(map, Method::pool, 1, optimised),
+                                                  [&](const RenderSettings& s) { return shader_of(known, s); })};
+    compared[5].method_column = "mis";
     const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
+    Statistics mean;
+    for_each_hit(sphere_scene, {costs.size, costs.size},
+                 [&](int x, int y, const Hit&) { mean.add(brightness(truth(x, y)) / 3); });
     Progress progress("rows", compared.size() * samples.size());
     std::vector<PictureCost> rows;
-    for (const PictureCost& picture : compared)
+    for (const PictureCost& picture : compared) {
+        const EnvironmentLight& light = picture.known_column == std::string("light") ? known : unknown;
         for (const std::size_t n : samples) {
-            const EnvironmentLight& light_of_picture = picture.known_column == std::string("light") ? light : unknown;
             RootMeanSquare predicted;
             Statistics covered;
             rows.push_back(measured_picture(picture, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
-                const Image errors = predicted_errors(image, render(map, s, better_shader(light_of_picture, s)));
+                const Image errors = predicted_errors(image, render(map, s, better_shader(light, s)));
                 predicted.add(root_mean_square(errors));
                 covered.add(coverage(image, truth, errors));
             }));
             rows.back().more = formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
             progress.done();
         }
+    }
     return "# The sphere scene under " + name +
-           ". Columns as of tradeoff; predicted: the rmse by a better picture; within: the fraction of\n"
-           "# errors within two predicted ones.\n" +
+           formatted(R"(. The mean radiance of the objects is %.4g.
+# Columns as of tradeoff; mis: directions in proportion to the light, and to the cosine, by multiple importance
+# sampling; predicted: the rmse by a better picture; within: the fraction of errors within two predicted ones.
+)",
+                     mean.mean) +
            picture_table(rows, !costs.untimed, "   predicted within");
 }
 }  // namespace bmc::beyond

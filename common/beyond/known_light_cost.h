@@ -5,6 +5,11 @@
 #include "experiments/picture_cost.h"
 
 namespace bmc::beyond {
+// What renderers do with a light that they know: half of the samples are drawn in proportion to the light
+// (the sun of threshold 0), the others to the cosine, both stratified, and each is weighted by the balance heuristic of
+// multiple importance sampling (Veach & Guibas, cited in sun.h). The map and the light must outlive the shader.
+Shader mis_shader(const EnvironmentMap& map, const Sun& light, const RenderSettings& settings);
+
 // The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
 double coverage(const Image& image, const Image& truth, const Image& predicted);
 

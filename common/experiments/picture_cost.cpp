@@ -84,7 +84,7 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    return {settings, name_of(placement.density, known_part_names),
+    return {settings, name_of(method, method_names), name_of(placement.density, known_part_names),
             [&light](const RenderSettings& s) { return render(light, s, environment_shader(light, PixelRules(s))); }};
 }
 
@@ -131,9 +131,9 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
         const PictureCost& mc = *std::find_if(
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
-        text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", name_of(s.method, method_names),
-                          s.pool, s.placement.name().c_str(), row.known_column, s.samples, rmse,
-                          row.rmse.standard_error(), row.correlation.mean, row.brightness.value(),
+        text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", row.method_column, s.pool,
+                          s.placement.name().c_str(), row.known_column, s.samples, rmse, row.rmse.standard_error(),
+                          row.correlation.mean, row.brightness.value(),
                           two_digits(static_cast<double>(s.samples) * gain).c_str());
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,

@@ -41,6 +41,7 @@ ImageError image_error(const Image& image, const Image& truth);
 // errors as seeds, not as pixels.
 struct PictureCost {
     RenderSettings settings;
+    const char* method_column;
     const char* known_column;                           // what is known of the integrand
     std::function<Image(const RenderSettings&)> image;  // by such settings
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError

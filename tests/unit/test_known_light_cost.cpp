@@ -26,3 +26,16 @@ TEST_CASE("a better picture has at most half of the error of the best, under a s
         CHECK(image_error(better, truth).rmse < 0.5 * image_error(equal.image(settings), truth).rmse);
     }
 }
+
+// Under a sun and a sky, of which the halves of the samples see one each: the mean is right within 5 standard errors.
+TEST_CASE("multiple importance sampling of light and cosine is right on average") {
+    const EnvironmentMap map = sunny_map();
+    RenderSettings settings = small_picture(Method::mc, 10, 10);
+    const Image truth = truth_with_sun(map, settings, 10000);
+    const Sun all(map, 0);
+    Statistics brightness;
+    for (settings.seed = 1; settings.seed <= 100; ++settings.seed)
+        brightness.add(image_error(render(map, settings, mis_shader(map, all, settings)), truth).brightness);
+    CHECK(std::fabs(brightness.mean) < 5 * brightness.standard_error());
+    CHECK(brightness.standard_error() < 0.003);
+}

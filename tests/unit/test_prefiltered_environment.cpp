@@ -44,13 +44,12 @@ TEST_CASE("the table for a solid angle is the nearest one, or the map below ten 
     CHECK(!one_table(pi / 1024, pi / 256));
 }
 
-// 40 of 1953 texels, of less than a hundred times the mean: no sun.
+// Texels of an eighth of all directions, of less than ten times the mean: no sun.
 TEST_CASE("where there is light, no cap is black") {
-    EnvironmentMap map(64, 32);
-    for (int x = 10; x < 50; ++x) map.set(x, 5, {1, 1, 1});
+    const EnvironmentMap map = map_of(65, 33, [](int x, int y) { return (x < 16 && y < 16) * Colour{1, 1, 1}; });
     const double down = PrefilteredEnvironment(map).means(pi / 64).radiance({0, -1, 0}).x;
     CHECK(down > 0);
-    CHECK(down < 4e-8);  // a millionth of a mean of 0.03
+    CHECK(down < 1.3e-7);  // a millionth of a mean of 0.125
 }
 
 TEST_CASE("a radiance that exceeds 1e36 is refused") {
@@ -73,4 +72,16 @@ TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any s
              {linear.sky_irradiance(n).y, one_texel.sky_irradiance(n).z, one_column.sky_irradiance(n).x})
             CHECK(relative(even, pi) < 1e-3);
     }
+}
+
+// In the plane of n and the sun the largest error of a cell is where the sun sets in its middle: a quarter of its
+// width, which is at most the diagonal of pi / 128 squared.
+TEST_CASE("the irradiance by a small sun is cos(theta) times its light, within 9e-3 of it") {
+    const EnvironmentMap map = map_of(257, 129, [](int x, int y) { return (x == 70 && y == 40) * Colour{3, 2, 1}; });
+    const PrefilteredEnvironment light(map, 2);
+    const Vec3 sun = towards(70.5 / 256, 40.5 / 128);
+    for (const Vec3& n : all_around(500))
+        for (const Vec3& normal : {n, normalize(n - dot(n, sun) * sun)})
+            CHECK(std::fabs(light.sun_irradiance(normal).x - std::max(0.0, dot(normal, sun)) * light.sun.light() / 2) <
+                  9e-3 * light.sun.light() / 2);
 }

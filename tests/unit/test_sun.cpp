@@ -3,11 +3,11 @@
 
 using namespace bmc::beyond;
 
-TEST_CASE("the sun is the texels of more than a hundred times the mean radiance") {
+TEST_CASE("the sun is the texels of more than ten times the mean radiance") {
     EnvironmentMap map = even_map(64, 32, 1);
     const int place = map.index(50, 10);
     const double part = TexelsOnSphere(map).solid_angle(10) / (4 * pi);
-    const double threshold = 100 * (1 - part) / (1 - 100 * part);  // 100 (part radiance + 1 - part)
+    const double threshold = 10 * (1 - part) / (1 - 10 * part);  // 10 (part radiance + 1 - part)
     for (const double radiance : {0.999 * threshold, 1.001 * threshold}) {
         map.set(50, 10, {radiance, radiance, radiance});
         const Sun sun(map);
@@ -35,8 +35,6 @@ TEST_CASE("the sun's rays go anywhere in its texels, uniformly w.r.t. solid angl
         }
     CHECK(sun.ray(1, 0.5).colour == sun.ray(0.5, 0.5).colour);  // (j + u) / m can round to 1
     CHECK(relative(sun.light(), 6 * 2 * pi / 16 * (1 - std::cos(pi / 8))) < 1e-12);
-    CHECK(relative(sun.irradiance(towards(12.5 / 16, 0.5 / 8)).x, 0.5 * sun.light()) < 0.02);  // cosines down to 0.98
-    CHECK(sun.irradiance({0, -1, 0}) == Vec3{0, 0, 0});
 }
 
 // Of two pieces of a map the second one is passed after the first, however wide the map is.

@@ -49,27 +49,30 @@ static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
 
 // E(n) is the sum of max(n . F, 0) over the fluxes F, at the corners of the table's cells. Only cells of light that are
 // cut by n's horizon are underestimated.
-static EnvironmentMap irradiance_table(const EnvironmentMap& environment, std::size_t threads) {
-    constexpr int columns = 128, rows = 64;
+static EnvironmentMap irradiance_table(const std::vector<Vec3>& flux, int rows, std::size_t threads) {
+    const int columns = 2 * rows;
     EnvironmentMap table(columns + 1, rows + 1);
-    const std::vector<Vec3> flux = fluxes(environment);
     for_each_row(rows + 1, threads, [&](int row) {
         const portable::SineCosine polar = portable::sincos_turns(0.5 * row / rows);
-        double x[columns + 1], z[columns + 1], sums[3][columns + 1] = {};
+        std::vector<double> x, z, sums[3];
         for (int i = 0; i <= columns; ++i) {
             const Vec3 normal = direction_of(polar, portable::sincos_turns(static_cast<double>(i) / columns - 0.5));
-            x[i] = normal.x;
-            z[i] = normal.z;
+            x.push_back(normal.x);
+            z.push_back(normal.z);
+            for (std::vector<double>& sum : sums) sum.push_back(0);
         }
         for (std::size_t f = 0; f < flux.size(); ++f) {
-            const double vertical = polar.cosine * flux[f].y;
-            double* sum = sums[f % 3];
-            for (int i = 0; i <= columns; ++i) {
-                const double e = x[i] * flux[f].x + vertical + z[i] * flux[f].z;
+            const Vec3 light = flux[f];
+            if (dot(light, light) == 0) continue;
+            const double vertical = polar.cosine * light.y;
+            double* sum = sums[f % 3].data();
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                const double e = x[i] * light.x + vertical + z[i] * light.z;
                 sum[i] += e > 0 ? e : 0;
             }
         }
-        for (int i = 0; i <= columns; ++i) table.set(i, row, {sums[0][i], sums[1][i], sums[2][i]});
+        for (std::size_t i = 0; i < x.size(); ++i)
+            table.set(static_cast<int>(i), row, {sums[0][i], sums[1][i], sums[2][i]});
     });
     return table;
 }
@@ -104,7 +107,10 @@ static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, C
 }
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
-    : sun(not_too_bright(map)), tables_{{0, sun.sky()}}, irradiance_(irradiance_table(*tables_[0].means, threads)) {
+    : sun(not_too_bright(map)),
+      tables_{{0, sun.sky()}},
+      sky_irradiance_(irradiance_table(fluxes(*tables_[0].means), 64, threads)),
+      sun_irradiance_(irradiance_table(fluxes(sun.alone()), sun.empty() ? 1 : 128, threads)) {
     const TexelsOnSphere texels(*tables_[0].means, 256, 128);
     tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
     Colour everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
@@ -125,7 +131,7 @@ const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
 
 SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
     if (!light.averages || light.averages->sun.empty()) return {samples, 0};
-    const double rays = 0.5 * light.averages->sun.share() * static_cast<double>(samples);
+    const double rays = 0.8 * light.averages->sun.share() * static_cast<double>(samples);
     const std::size_t sun = std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
     return {samples > sun ? samples - sun : 1, sun};
 }
@@ -157,10 +163,11 @@ Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
     return [=, &light, &means](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        const Colour sky = visible_sky(means, hit, *oriented.rule, oriented.frame);
-        const Colour sun = sample_sun(sphere_scene, light.sun, hit, samples.sun, random).fraction();
-        return 1 / portable::pi *
-               (hit.albedo * (light.sky_irradiance(hit.normal) * sky + light.sun.irradiance(hit.normal) * sun));
+        Colour irradiance = light.sky_irradiance(hit.normal) * visible_sky(means, hit, *oriented.rule, oriented.frame);
+        if (samples.sun > 0)
+            irradiance += light.sun_irradiance(hit.normal) *
+                          sample_sun(sphere_scene, light.sun, hit, samples.sun, random).fraction();
+        return 1 / portable::pi * (hit.albedo * irradiance);
     };
 }
 }  // namespace bmc::beyond

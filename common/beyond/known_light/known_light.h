@@ -7,8 +7,9 @@
 // Graphics Forum 27(4), 2008). This is a ratio estimator: the quotient estimates the fraction of the light that
 // arrives, and E(n), the light without shadows, is known. For a constant v it is exact.
 //
-// The sun (sun.h) is a second light, with the same quotient. If it sends the share s of the light, it gets s / 2 of
-// a pixel's samples, since the edge of its shadow needs few. The rule for the sky gets the others.
+// The sun (sun.h) is a second light, with the same quotient. If it sends the share s of the light, it gets 0.8 s of
+// a pixel's samples, and the rule for the sky the others. This and the sun's threshold, 10, are the best of 25 pairs,
+// in the geometric mean of the errors under 37 lights, half of them photographs: lamps and windows are a sun, too.
 #pragma once
 
 #include "beyond/known_light/sun.h"
@@ -29,13 +30,13 @@ struct PrefilteredEnvironment {
     // is added to each mean, so that no cap is black where there is light.
     const EnvironmentMap& means(double solid_angle) const;
 
-    // The irradiance by the sky of a surface that nothing shadows, with the unit normal n:
+    // The irradiance by the sky, and by the sun, of a surface that nothing shadows, with the unit normal n:
     //     E(n) = integral of L cos(theta) d omega over the hemisphere around n.
-    // It is from a table; its error is below 2e-3 of the largest E. (Nine harmonics would err by a few per cent:
-    // Ramamoorthi & Hanrahan, "An efficient representation for irradiance environment maps", SIGGRAPH 2001.)
-    Colour sky_irradiance(Vec3 normal) const {
-        return irradiance_.interpolated(irradiance_.column(normal.x, normal.z), irradiance_.row(normal.y));
-    }
+    // They are from tables; their errors are below 2e-3 of the largest E, and below 9e-3 of it where a small sun is on
+    // the horizon. (Nine harmonics would err by a few per cent: Ramamoorthi & Hanrahan, "An efficient representation
+    // for irradiance environment maps", SIGGRAPH 2001.)
+    Colour sky_irradiance(Vec3 normal) const { return in_table(sky_irradiance_, normal); }
+    Colour sun_irradiance(Vec3 normal) const { return in_table(sun_irradiance_, normal); }
 
 private:
     struct Table {
@@ -44,7 +45,11 @@ private:
     };
 
     std::vector<Table> tables_;  // the smallest caps first, which are the texels of the sky
-    const EnvironmentMap irradiance_;
+    const EnvironmentMap sky_irradiance_, sun_irradiance_;
+
+    static Colour in_table(const EnvironmentMap& table, Vec3 normal) {
+        return table.interpolated(table.column(normal.x, normal.z), table.row(normal.y));
+    }
 };
 
 // An environment, which must outlive it, and its averages if it is known; the settings below then know the cosine.

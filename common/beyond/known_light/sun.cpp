@@ -13,21 +13,17 @@ static std::uint64_t z_order(int row, int column) {
 Sun::Sun(const EnvironmentMap& map, double threshold)
     : whole_(map), all_(4 * portable::pi * mean_over_directions(map, brightness)) {
     const double least = threshold * all_ / (4 * portable::pi);
-    for (int row = 0; row < whole_.rows; ++row)
+    for (int row = 0; row < whole_.rows; ++row) {
+        const double top = whole_.polar(row).cosine, bottom = whole_.polar(row + 1).cosine;
         for (int column = 0; column < whole_.columns; ++column) {
             const Colour light = whole_(row, column);
             if (!(brightness(light) > least)) continue;
             texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
-                               whole_.solid_angle(row) * brightness(light)});
+                               whole_.solid_angle(row) * brightness(light), top, bottom});
         }
+    }
     std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
     for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
-    constexpr int parts = 256;
-    for (int i = 0; i < parts && !empty(); ++i) {
-        const double down = 0.6180339887498949 * i;  // of a lattice, where few texels have all the light
-        rays_.push_back(ray((i + 0.5) / parts, down - std::floor(down)));
-        rays_.back().colour = light() / parts * rays_.back().colour;
-    }
 }
 
 Sun::Ray Sun::ray(double across, double down) const {
@@ -35,16 +31,10 @@ Sun::Ray Sun::ray(double across, double down) const {
     const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
                                         [](double light, const Texel& later) { return light < later.light; });
     const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
-    const double top = whole_.polar(texel->row).cosine, bottom = whole_.polar(texel->row + 1).cosine;
-    const double cosine = top + down * (bottom - top), sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double cosine = texel->top + down * (texel->bottom - texel->top),
+                 sine = std::sqrt((1 - cosine) * (1 + cosine));
     const double right = (before - left) / (texel->light - left);
     return {direction_of({sine, cosine}, whole_.azimuth(texel->column + right)), texel->colour};
-}
-
-Colour Sun::irradiance(Vec3 normal) const {
-    Colour sum;
-    for (const Ray& ray : rays_) sum += std::max(0.0, dot(normal, ray.direction)) * ray.colour;
-    return sum;
 }
 
 std::shared_ptr<const EnvironmentMap> Sun::sky() const {
@@ -52,6 +42,12 @@ std::shared_ptr<const EnvironmentMap> Sun::sky() const {
     const auto sky = std::make_shared<EnvironmentMap>(whole_.map);
     for (const Texel& texel : texels_) sky->set(texel.column, texel.row, {});
     return sky;
+}
+
+EnvironmentMap Sun::alone() const {
+    EnvironmentMap sun(empty() ? 1 : whole_.map.width, empty() ? 1 : whole_.map.height);
+    for (const Texel& texel : texels_) sun.set(texel.column, texel.row, whole_(texel.row, texel.column));
+    return sun;
 }
 
 Colour RatioEstimator::fraction() const {

@@ -1,5 +1,5 @@
-// The sun of an environment map: its texels of more than a hundred times the mean radiance. A rule's directions almost
-// never meet them, so they have rays of their own: each kind of light is sampled in the way that suits it (Veach &
+// The sun of an environment map, or its lamps: the texels of more than ten times the mean radiance. A rule's directions
+// rarely meet them, so they have rays of their own: each kind of light is sampled in the way that suits it (Veach &
 // Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 #pragma once
 
@@ -20,7 +20,7 @@ struct RatioEstimator {
 class Sun {
 public:
     // The texels of more than `threshold` times the mean.
-    explicit Sun(const EnvironmentMap& map, double threshold = 100);
+    explicit Sun(const EnvironmentMap& map, double threshold = 10);
 
     bool empty() const { return texels_.empty(); }
 
@@ -28,11 +28,10 @@ public:
     double light() const { return empty() ? 0 : texels_.back().light; }
     double share() const { return empty() ? 0 : light() / all_; }
 
-    // The irradiance of a unit normal if nothing is in the way, by 256 rays.
-    Colour irradiance(Vec3 normal) const;
-
-    // The map without the sun: where there is none, the map itself, which must then outlive it.
+    // The map without the sun: where there is none, the map itself, which must then outlive it. And the sun without the
+    // rest: where there is none, one black texel.
     std::shared_ptr<const EnvironmentMap> sky() const;
+    EnvironmentMap alone() const;
 
     // colour: the radiance there, scaled to R + G + B = 1.
     struct Ray {
@@ -50,13 +49,13 @@ private:
         std::uint64_t order;  // Morton's
         int row, column;
         Colour colour;
-        double light;  // of this texel and those before it
+        double light;        // of this texel and those before it
+        double top, bottom;  // cosines of polar angles
     };
 
     const TexelsOnSphere whole_;  // the map
     double all_;
     std::vector<Texel> texels_;
-    std::vector<Ray> rays_;  // with their share of the light
 };
 
 // The sums over m rays to the sun, or over none if it is empty. Ray j is ray((j + u) / m, down), where u and then down
