@@ -30,9 +30,10 @@ ONE_SOURCE = COMMON='$$(BUILD)/common_sources.o'
 $(BUILD)/unit_tests: $(BUILD)/unit_sources.o $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
-$(BUILD)/compare: $(BUILD)/tests/output/compare.o $(COMMON)
-$(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o $(COMMON)
-$(BUILD)/compare $(BUILD)/check_tasks:
+$(BUILD)/compare: $(BUILD)/tests/output/compare.o
+$(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o
+$(addprefix $(BUILD)/,fuzz exercise two_strategies base_code): $(BUILD)/%: $(BUILD)/tests/slow/%.o
+$(addprefix $(BUILD)/,compare check_tasks fuzz exercise two_strategies base_code): $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
 # The sources of other goals are compiled as well, but to nothing: a change that breaks one is noticed at once.
@@ -91,8 +92,6 @@ fuzz:
 	$(FUZZ)/fuzz $(FUZZ)/found tests/slow/corpus -dict=tests/slow/corpus/dictionary -seed=1 \
 	    -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=30 -rss_limit_mb=4096 \
 	    -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
-$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o $(COMMON)
-	$(call say,LINK $@) $(LINK) -o $@
 
 figures seconds: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) bash tests/figures/draw $(if $(filter seconds,$@),--seconds)
