@@ -41,7 +41,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     const EnvironmentLight known(map, true, dense.threads), unknown(map, false, dense.threads);
     const Sun all(map, 0);
     const auto knows_light = [&](PictureCost picture, auto shader) {
-        picture.known_column = "light";
+        picture.light_known = true;
         picture.image = [=, &map](const RenderSettings& s) { return render(map, s, shader(s)); };
         return picture;
     };
@@ -55,17 +55,17 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
                                       knows_light(compared_picture(map, Method::mc, 1, stratified),
                                                   [&](const RenderSettings& s) { return mis_shader(map, all, s); }),
                                       knows_light(compared_picture(map, Method::pool, 1, optimised),
-                                                  [&](const RenderSettings& s) { return shader_of(known, s); })};
+                                                  [&](const RenderSettings& s) { return light_shader(known, s); })};
     compared[5].method_column = "mis";
-    const Image truth = render(map, dense, shader_with_sun(map, dense, dense.samples));
+    const Image truth = render(map, dense, sun_shader(map, dense, dense.samples));
     Statistics mean;
     for_each_hit(sphere_scene, {costs.size, costs.size},
                  [&](int x, int y, const Hit&) { mean.add(brightness(truth(x, y)) / 3); });
-    Progress progress("rows", compared.size() * samples.size());
+    Progress progress("rows", compared.size() * sample_counts.size());
     std::vector<PictureCost> rows;
     for (const PictureCost& picture : compared) {
-        const EnvironmentLight& light = picture.known_column == std::string("light") ? known : unknown;
-        for (const std::size_t n : samples) {
+        const EnvironmentLight& light = picture.light_known ? known : unknown;
+        for (const std::size_t n : sample_counts) {
             RootMeanSquare predicted;
             Statistics covered;
             rows.push_back(measured_picture(picture, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
@@ -73,7 +73,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
                 predicted.add(root_mean_square(errors));
                 covered.add(coverage(image, truth, errors));
             }));
-            rows.back().more = formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
+            rows.back().extra_columns = formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
             progress.done();
         }
     }

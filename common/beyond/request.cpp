@@ -16,11 +16,10 @@ static Image grey_scale(Image errors, double white) {
 
 void Request::add_options(Options& options) {
     PictureRequest::add_options(options);
-    options.named("known") =
-        choice("known", {"nothing", "cosine", "light"}, 0, known_remark, [this](std::size_t chosen) {
-            settings.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
-            light_known = chosen == 2;
-        });
+    options.replace(choice("known", {"nothing", "cosine", "light"}, 0, known_remark, [this](std::size_t chosen) {
+        settings.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
+        light_known = chosen == 2;
+    }));
     options.make_idle({"known"}, "with --method mc", [this] { return settings.method == Method::mc && !light_known; });
     options.add("rmse", "X", "take as few samples as reach this predicted RMSE; 0: --samples", rmse, 0, 1e9);
     options.add("show", show_names, show, ": predicted errors, white at twice the RMSE");
@@ -45,7 +44,7 @@ Image Request::image(const EnvironmentMap& map) const {
         print_prediction(chosen.samples, found.rmse);
     }
     // A quotient of sums, where the light is known, has no errors that weights could be warned of.
-    Image image = light_known ? render(map, chosen, shader_of(light, chosen)) : warned_picture(map, chosen);
+    Image image = light_known ? render(map, chosen, light_shader(light, chosen)) : warned_picture(map, chosen);
     if (show == Show::picture) return image;
     const Image errors = predicted_errors(image, render(map, chosen, better_shader(light, chosen)));
     const double predicted = root_mean_square(errors);

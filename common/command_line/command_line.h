@@ -40,6 +40,7 @@ struct Options {
 
     void add(Option option);
     Option& named(const std::string& name);  // the one of this name
+    void replace(Option option) { named(option.name) = std::move(option); }
 
     // Adds one that sets a text, a switch, a number from low to high, or a value that has a name. The description ends
     // with what it is by default, if that is not empty.
@@ -67,7 +68,7 @@ inline constexpr std::size_t max_process_samples = 4096;
 // Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed.
 void add_model_options(Options& options, ModelSettings& settings);
 inline constexpr const char* known_remark =
-    ": known factor of the integrand; a cosine placement makes it cosine unless given";
+    ": known part of the integrand; a cosine placement makes it cosine unless given";
 
 // Adds samples: a list such as 10,20,40, each at most max_process_samples.
 void add_sample_list(Options& options, std::vector<std::size_t>& samples);

@@ -20,34 +20,35 @@ struct View {
     const Hit hit = *intersect(sphere_scene, Camera{500, 500}.ray(140, 470));
     const Frame frame = Frame(hit.normal);
 
-    Colour light(Vec3 w) const {
-        const Vec3 direction = frame.to_world(w);
+    Colour light(Vec3 omega) const {
+        const Vec3 direction = frame.to_world(omega);
         return is_shadowed(sphere_scene, hit, direction) ? Colour{} : map.bilinear_radiance(direction);
     }
 };
 
-// What the process believes of this light after it has seen Y. k has the covariances of a direction w with the samples.
+// What the process believes of this light after it has seen Y. k has the covariances of a direction omega with the
+// samples.
 struct Posterior {
     const Covariance& covariance;
     const GaussianProcess& process;
     const double amplitude;
     std::vector<Colour> coefficients;  // Q^-1 Y
 
-    std::vector<double> covariances(Vec3 w) const {
+    std::vector<double> covariances(Vec3 omega) const {
         std::vector<double> k;
-        for (const Vec3& direction : process.directions) k.push_back(covariance.k(squared_distance(w, direction)));
+        for (const Vec3& direction : process.directions) k.push_back(covariance.k(squared_distance(omega, direction)));
         return k;
     }
 
-    Colour mean(Vec3 w) const {  // k^T Q^-1 Y
-        const std::vector<double> k = covariances(w);
+    Colour mean(Vec3 omega) const {  // k^T Q^-1 Y
+        const std::vector<double> k = covariances(omega);
         Colour sum;
         for (std::size_t j = 0; j < k.size(); ++j) sum += k[j] * coefficients[j];
         return sum;
     }
 
-    double deviation(Vec3 w) const {  // a sqrt(k(w, w) - k^T Q^-1 k); where U^T y = k, k^T Q^-1 k is |y|^2
-        const std::vector<double> y = process.cholesky.forward_substitution(covariances(w));
+    double deviation(Vec3 omega) const {  // a sqrt(k(omega, omega) - k^T Q^-1 k); where U^T y = k, k^T Q^-1 k is |y|^2
+        const std::vector<double> y = process.cholesky.forward_substitution(covariances(omega));
         const double explained = std::inner_product(y.begin(), y.end(), y.begin(), 0.0);
         return amplitude * std::sqrt(std::fmax(covariance.k(0) - explained, 0));
     }
@@ -58,16 +59,16 @@ struct Posterior {
 static Colour disc_colour(int number, double u, double v, const View& view, const Posterior& posterior) {
     const double y = 1 - u * u - v * v, s = std::sqrt(1 + y);
     if (y <= 0) return grey;
-    const Vec3 w{-s * v, y, -s * u};
-    if (number == 1) return posterior.mean(w);
-    if (number == 2) return error_scale * posterior.deviation(w) * white;
-    if (number == 3) return error_scale * std::fabs(luminance(posterior.mean(w) - view.light(w))) * white;
+    const Vec3 omega{-s * v, y, -s * u};
+    if (number == 1) return posterior.mean(omega);
+    if (number == 2) return error_scale * posterior.deviation(omega) * white;
+    if (number == 3) return error_scale * std::fabs(luminance(posterior.mean(omega) - view.light(omega))) * white;
     for (const Vec3& direction : posterior.process.directions) {
         const double root = std::sqrt(1 + direction.y);
         const double distance = length({v + direction.x / root, u + direction.z / root, 0});
         if (distance < 1.7 * dot_radius) return distance < dot_radius ? white : Colour{};
     }
-    return view.light(w);
+    return view.light(omega);
 }
 
 static Image discs(const View& view, const Posterior& posterior) {
@@ -117,9 +118,11 @@ std::string Belief::report() const {
     const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise, sampler_of(settings.placement, samples)(random));
-    const auto incident = [&](Vec3 w) { return luminance(view.light(w)) * known_value(covariance->known_part(), w); };
-    const auto square = [&](Vec3 w) { return luminance(view.light(w)) * incident(w); };
-    const std::vector<double> values = evaluate(incident, process.directions, covariance->known_part());
+    const auto incident = [&](Vec3 omega) {
+        return luminance(view.light(omega)) * known_value(covariance->known_part(), omega);
+    };
+    const auto square = [&](Vec3 omega) { return luminance(view.light(omega)) * incident(omega); };
+    const std::vector<double> values = unknown_part(incident, process.directions, covariance->known_part());
     print_estimate(process, values, reference_integral(incident),
                    std::sqrt(reference_integral(square) / known_integral(covariance->known_part())));
     Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Colour>(samples)};

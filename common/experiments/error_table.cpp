@@ -23,7 +23,7 @@ static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integra
 static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
                            const GaussianProcess& process, KnownPart p) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::vector<double> values = evaluate(integrands[i].value, process.directions, p);
+        const std::vector<double> values = unknown_part(integrands[i].value, process.directions, p);
         rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
         rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
     }
@@ -78,7 +78,7 @@ void ErrorTables::add_options(Options& options) {
     std::vector<std::string> names{integrand};
     for (const NamedIntegrand& named : named_integrands()) names.push_back(named.name);
     options.add(choice("integrand", names, 0, "", [=](std::size_t chosen) { integrand = names[chosen]; }));
-    add_sample_list(options, settings.samples);
+    add_sample_list(options, settings.sample_counts);
     options.add("mc-estimates", "M", "MC estimates averaged in each row", settings.mc_estimates, 1, 100000);
     options.add("bmc-estimates", "M", "BMC estimates averaged in each row", settings.bmc_estimates, 1, 100000);
     add_model_options(options, settings);
@@ -90,7 +90,7 @@ std::string ErrorTables::report() const {
         if (integrand == "all" ? named.in_practice : integrand == named.name) integrands.push_back(named.make());
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
-    for (const std::size_t n : settings.samples) {
+    for (const std::size_t n : settings.sample_counts) {
         const std::vector<ErrorRow> rows = error_rows(integrands, n, settings);
         for (std::size_t i = 0; i < rows.size(); ++i) tables[i].push_back(rows[i]);
     }

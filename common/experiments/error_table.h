@@ -9,7 +9,7 @@
 
 namespace bmc {
 struct ErrorSettings : ModelSettings {
-    std::vector<std::size_t> samples{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
+    std::vector<std::size_t> sample_counts{10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
     std::size_t mc_estimates = 1000, bmc_estimates = 1000;  // the sheet has 100 and 10: too few for a ratio
 };
 

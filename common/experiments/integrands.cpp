@@ -35,7 +35,8 @@ double reference_integral(const std::function<double(Vec3)>& f) {
     return estimate(monte_carlo_rule(fibonacci_directions(1 << 18)), f);
 }
 
-std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions, KnownPart p) {
+std::vector<double> unknown_part(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
+                                 KnownPart p) {
     std::vector<double> values;
     values.reserve(directions.size());
     for (const Vec3& omega : directions) values.push_back(f(omega) / known_value(p, omega));
@@ -43,7 +44,7 @@ std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::ve
 }
 
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f) {
-    const std::vector<double> values = evaluate(f, rule.directions, rule.known_part);
+    const std::vector<double> values = unknown_part(f, rule.directions, rule.known_part);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 

@@ -30,9 +30,9 @@ Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& lig
 // The integral of f by 2^18 directions on the Fibonacci lattice.
 double reference_integral(const std::function<double(Vec3)>& f);
 
-// The unknown factor of f at each direction: its value divided by the known part.
-std::vector<double> evaluate(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
-                             KnownPart p = KnownPart::nothing);
+// The unknown part of f at each direction: its value divided by the known part.
+std::vector<double> unknown_part(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
+                                 KnownPart p = KnownPart::nothing);
 
 // The rule's estimate of the integral of f.
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f);

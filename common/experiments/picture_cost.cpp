@@ -40,7 +40,7 @@ void PictureReport::add_options(Options& options) {
     options.add("size", "W", "size of the pictures: W x W pixels", costs.size, 2, 1024);
     options.add("seed", "K", "seed of the random numbers", costs.seed, 0, UINT64_MAX);
     options.add("no-times", "leave out measured times, which differ from run to run", costs.untimed);
-    add_sample_list(options, samples);
+    add_sample_list(options, sample_counts);
 }
 
 std::string PictureReport::report() const {
@@ -84,7 +84,7 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
     settings.method = method;
     settings.pool = pool;
     settings.placement = placement;
-    return {settings, name_of(method, method_names), name_of(placement.density, known_part_names),
+    return {settings, name_of(method, method_names),
             [&light](const RenderSettings& s) { return render(light, s, environment_shader(light, PixelRules(s))); }};
 }
 
@@ -121,24 +121,25 @@ PictureCost measured_picture(PictureCost picture, std::size_t samples, const Cos
     return picture;
 }
 
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& more) {
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& extra_columns) {
     std::string text = formatted(
         "# method  pool placement         known   samples       rmse     +-rmse correlation brightness "
         "mc_samples%s%s\n",
-        timed ? "  s/megapixel efficiency" : "", more.c_str());
+        timed ? "  s/megapixel efficiency" : "", extra_columns.c_str());
     for (const PictureCost& row : rows) {
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
+        const char* const known = row.light_known ? "light" : name_of(s.placement.density, known_part_names);
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
         text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", row.method_column, s.pool,
-                          s.placement.name().c_str(), row.known_column, s.samples, rmse, row.rmse.standard_error(),
+                          s.placement.name().c_str(), known, s.samples, rmse, row.rmse.standard_error(),
                           row.correlation.mean, row.brightness.value(),
                           two_digits(static_cast<double>(s.samples) * gain).c_str());
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
-        text += row.more + '\n';
+        text += row.extra_columns + '\n';
     }
     return text;
 }

@@ -19,7 +19,7 @@ struct CostSettings {
 // A report on pictures under one light, or under each of the built-in ones.
 struct PictureReport : Experiment {
     std::string environment;  // empty: the built-in lights
-    std::vector<std::size_t> samples{10, 40};
+    std::vector<std::size_t> sample_counts{10, 40};
     CostSettings costs;
 
     void add_options(Options& options) override;
@@ -42,12 +42,12 @@ ImageError image_error(const Image& image, const Image& truth);
 struct PictureCost {
     RenderSettings settings;
     const char* method_column;
-    const char* known_column;                           // what is known of the integrand
     std::function<Image(const RenderSettings&)> image;  // by such settings
+    bool light_known = false;                           // beside what the density of the placement says
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
     Statistics correlation = {};
     double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
-    std::string more = {};             // columns of another report
+    std::string extra_columns = {};    // columns of another report
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
@@ -63,5 +63,5 @@ PictureCost measured_picture(PictureCost picture, std::size_t samples, const Cos
                              const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
 
 // A line for each picture, and above them the names of the columns; the first pictures are classic Monte Carlo's.
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& more = "");
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& extra_columns = "");
 }  // namespace bmc

@@ -19,9 +19,9 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
     int negative = 0;
     double sum = 0;
     for (std::size_t i = 0; i < process.weights.size(); ++i) {
-        const Vec3 w = process.directions[i];
+        const Vec3 omega = process.directions[i];
         const double weight = process.weights[i];
-        text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", w.x, w.y, w.z, process.z[i], weight);
+        text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", omega.x, omega.y, omega.z, process.z[i], weight);
         negative += weight < 0;
         sum += weight;
     }
@@ -89,14 +89,14 @@ static void add_line(Samples& samples, const std::string& line, std::size_t numb
     const std::size_t n = columns.size();
     if (n == 0) return;
     if (n != 3 && n != 4) throw error_in(number, formatted("expected x y z or x y z value, not %zu columns", n));
-    const Vec3 w{columns[0], columns[1], columns[2]};
-    if (!(std::fabs(length(w) - 1) <= 1e-6))
-        throw error_in(number, formatted("the direction has the length %.9g; divide x, y and z by it", length(w)));
-    if (w.y < 0) throw error_in(number, formatted("y = %g is below the horizon; directions have y >= 0", w.y));
+    const Vec3 omega{columns[0], columns[1], columns[2]};
+    if (!(std::fabs(length(omega) - 1) <= 1e-6))
+        throw error_in(number, formatted("the direction has the length %.9g; divide x, y and z by it", length(omega)));
+    if (omega.y < 0) throw error_in(number, formatted("y = %g is below the horizon; directions have y >= 0", omega.y));
     if (samples.directions.size() == max_process_samples) throw error_in(number, "at most 4096 directions are allowed");
     if (!samples.directions.empty() && (n == 3) != samples.values.empty())
         throw error_in(number, formatted("%zu columns, where earlier lines have %zu", n, 7 - n));
-    samples.directions.push_back(w);
+    samples.directions.push_back(omega);
     if (n == 4) samples.values.push_back(columns[3]);
 }
 

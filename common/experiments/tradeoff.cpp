@@ -68,10 +68,10 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
     const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
     const std::vector<PictureCost> compared = compared_pictures(light);
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
-    Progress progress("rows", compared.size() * samples.size());
+    Progress progress("rows", compared.size() * sample_counts.size());
     std::vector<PictureCost> rows;
     for (const PictureCost& picture : compared)
-        for (const std::size_t n : samples) {
+        for (const std::size_t n : sample_counts) {
             rows.push_back(measured_picture(picture, n, costs, truth));
             progress.done();
         }

@@ -35,7 +35,7 @@ static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
 // END SOLUTION
 
 static Matrix checked_factor(Matrix a) {
-    if (a.rows != a.columns) throw std::invalid_argument("cholesky: the matrix must be square");
+    if (a.rows != a.columns) throw std::logic_error("cholesky: the matrix must be square");
     std::vector<double> diagonal;
     for (std::size_t m = 0; m < a.rows; ++m) diagonal.push_back(a(m, m));
     return upper_factor(std::move(a), diagonal);
@@ -45,7 +45,7 @@ Cholesky::Cholesky(Matrix a) : upper(checked_factor(std::move(a))) {}
 
 // As in upper_factor: as soon as element m is known, its products are subtracted from all those below.
 std::vector<double> Cholesky::forward_substitution(std::vector<double> b) const {
-    if (b.size() != size()) throw std::invalid_argument("cholesky: the right-hand side must have one element per row");
+    if (b.size() != size()) throw std::logic_error("cholesky: the right-hand side must have one element per row");
     for (std::size_t m = 0; m < size(); ++m) {
         b[m] /= upper(m, m);
         for (std::size_t j = m + 1; j < size(); ++j) b[j] -= b[m] * upper(m, j);

@@ -36,9 +36,9 @@ struct NotPositiveDefinite : std::runtime_error {
 double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double pivot);
 
 struct Cholesky {
-    const Matrix upper;  // U, n x n; zero below the diagonal
+    Matrix upper;  // U, n x n; zero below the diagonal
 
-    // Factors the symmetric n x n matrix A. Throws std::invalid_argument if it is not square, and NotPositiveDefinite.
+    // Factors the symmetric n x n matrix A. Throws std::logic_error if it is not square, and NotPositiveDefinite.
     explicit Cholesky(Matrix a);
 
     std::size_t size() const { return upper.rows; }

@@ -7,7 +7,7 @@
 namespace bmc {
 static double dot(const std::vector<double>& a, const std::vector<double>& b) {
     if (a.size() != b.size())
-        throw std::invalid_argument(formatted("a process of %zu directions was given %zu values", a.size(), b.size()));
+        throw std::logic_error(formatted("a process of %zu directions was given %zu values", a.size(), b.size()));
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 

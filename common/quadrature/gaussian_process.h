@@ -13,12 +13,12 @@
 namespace bmc {
 struct GaussianProcess {
     // Made in this order, each from those before it.
-    const std::vector<Vec3> directions;
-    const std::vector<double> z;        // z_j, the integral over H of k(omega_j, omega) p(omega) d omega
-    const Cholesky cholesky;            // the factor of Q
-    const std::vector<double> weights;  // w = Q^-1 z
-    const double zz;                    // of the covariance
-    const double variance;              // V = zz - z^T Q^-1 z >= 0, of the integral for an f of amplitude 1
+    std::vector<Vec3> directions;
+    std::vector<double> z;        // z_j, the integral over H of k(omega_j, omega) p(omega) d omega
+    Cholesky cholesky;            // the factor of Q
+    std::vector<double> weights;  // w = Q^-1 z
+    double zz;                    // of the covariance
+    double variance;              // V = zz - z^T Q^-1 z >= 0, of the integral for an f of amplitude 1
 
     // n >= 1 unit directions in H. noise >= 0: the standard deviation of the samples' error, in units of the amplitude
     // of f (below). Its square is added to the diagonal of Q, so that two equal directions do not make Q singular.

@@ -46,8 +46,8 @@ QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, KnownPart p) {
 // END SOLUTION
 
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions) {
-    const GaussianProcess process(covariance, noise, std::move(directions));
-    return {process.directions, process.weights, covariance.known_part()};
+    GaussianProcess process(covariance, noise, std::move(directions));
+    return {std::move(process.directions), std::move(process.weights), covariance.known_part()};
 }
 
 std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {

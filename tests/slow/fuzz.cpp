@@ -35,9 +35,9 @@ bool reads_options(std::istream& in) {
     ErrorTables tables;
     parse_options(static_cast<int>(words.size()), argv.data(), tables.options());
     const ErrorSettings& settings = tables.settings;
-    for (const std::size_t n : settings.samples)
+    for (const std::size_t n : settings.sample_counts)
         if (n < 1 || n > 4096) return false;
-    return !settings.samples.empty() && settings.mc_estimates >= 1 && settings.bmc_estimates >= 1 &&
+    return !settings.sample_counts.empty() && settings.mc_estimates >= 1 && settings.bmc_estimates >= 1 &&
            settings.smoothness > 1 && settings.smoothness < 2 && settings.noise >= 0 && settings.noise <= 1000;
 }
 

@@ -33,5 +33,5 @@ TEST_CASE("a list of samples is numbers from 1 to 4096 between commas") {
     for (const std::string list : {"", "1,", ",1", "0", "4097", "1, 2"})
         CHECK_THROWS_AS_MESSAGE(parse({"--samples=" + list}, tables.options()), std::invalid_argument, list);
     parse({"--samples=1,4096"}, tables.options());
-    CHECK(tables.settings.samples == std::vector<std::size_t>{1, 4096});
+    CHECK(tables.settings.sample_counts == std::vector<std::size_t>{1, 4096});
 }

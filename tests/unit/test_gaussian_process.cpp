@@ -47,7 +47,7 @@ TEST_CASE("a process refuses what is no sample set, and values that do not belon
     CHECK(refusal(0, {{0, 1, 0}, {0, 1, 0}}) == Containing{"is not positive definite"});
     const GaussianProcess process(Sobolev(), 0.01, some_directions(3));
     CHECK_THROWS_WITH(process.integral({1, 2}), "a process of 3 directions was given 2 values");
-    CHECK_THROWS_AS(process.amplitude({1, 2, 3, 4}), std::invalid_argument);
+    CHECK_THROWS_AS(process.amplitude({1, 2, 3, 4}), std::logic_error);
 }
 
 // Of one direction and no noise z^T Q^-1 z is z^2 / k(0).

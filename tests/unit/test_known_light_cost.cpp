@@ -5,7 +5,7 @@ using namespace bmc::beyond;
 
 static Image truth_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t samples) {
     settings.samples = samples;
-    return render(map, settings, shader_with_sun(map, settings, samples));
+    return render(map, settings, sun_shader(map, settings, samples));
 }
 
 TEST_CASE("the dense truth gives a lamp that is no sun its own rays") {

@@ -4,7 +4,7 @@
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table has Monte Carlo's samples for the same error, and the efficiency") {
     const RenderSettings mc = small_picture(Method::mc, 40), pool = small_picture(Method::pool, 40);
-    PictureCost first{mc, "mc", "nothing", {}, {}, {}, {}, 3}, second{pool, "mis", "light", {}, {}, {}, {}, 6};
+    PictureCost first{mc, "mc", {}, false, {}, {}, {}, 3}, second{pool, "mis", {}, true, {}, {}, {}, 6};
     for (int seed = 0; seed < 2; ++seed) first.rmse.add(0.2), second.rmse.add(0.1);
     CHECK(rows_of(picture_table({first, second}, true)) ==
           rows_of("mc 3 uniform nothing 40 0.20000 0.00000 0.0000 0.00000 40 3 1\n"

@@ -5,7 +5,7 @@ using namespace bmc::beyond;
 
 // By the definition: the root mean square of picture - better, over the pixels of a grid that show an object.
 static double rmse_by_better(const EnvironmentLight& light, const RenderSettings& settings, int first, int step) {
-    const Image a = render(light.environment, settings, shader_of(light, settings)),
+    const Image a = render(light.environment, settings, light_shader(light, settings)),
                 b = render(light.environment, settings, better_shader(light, settings));
     double squares = 0, count = 0;
     for_each_hit(sphere_scene, {a.width, a.height}, [&](int x, int y, const Hit&) {

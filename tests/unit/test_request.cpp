@@ -3,7 +3,7 @@
 
 using namespace bmc::beyond;
 
-TEST_CASE("of two known factors the last one counts") {
+TEST_CASE("of two known parts the last one counts") {
     Request request;
     Options options;
     request.add_options(options);

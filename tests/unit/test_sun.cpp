@@ -16,8 +16,8 @@ TEST_CASE("the sun is the texels of more than ten times the mean radiance") {
         CHECK(sun.empty() == !shines);
         CHECK(std::fabs(sun.light() - shines * 4 * pi * part * 3 * radiance) < 1e-5);  // floats
         CHECK(std::fabs(sun.share() - shines * part * radiance / (1 - part + part * radiance)) < 1e-6);
-        CHECK(sun.sky()->colour(place).x == (shines ? 0 : map.colour(place).x));
-        CHECK(sun.sky()->colour(place + 1).x == 1);
+        CHECK(sun.sky(map).colour(place).x == (shines ? 0 : map.colour(place).x));
+        CHECK(sun.sky(map).colour(place + 1).x == 1);
     }
 }
 

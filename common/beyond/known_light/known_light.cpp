@@ -108,9 +108,9 @@ static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, C
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
     : sun(not_too_bright(map)),
-      tables_{{0, sun.sky()}},
+      tables_{{0, std::make_shared<const EnvironmentMap>(sun.sky(map))}},
       sky_irradiance_(irradiance_table(fluxes(*tables_[0].means), 64, threads)),
-      sun_irradiance_(irradiance_table(fluxes(sun.alone()), sun.empty() ? 1 : 128, threads)) {
+      sun_irradiance_(irradiance_table(fluxes(sun.alone(map)), sun.empty() ? 1 : 128, threads)) {
     const TexelsOnSphere texels(*tables_[0].means, 256, 128);
     tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
     Colour everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
@@ -122,11 +122,11 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::s
     }
 }
 
-const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
+std::shared_ptr<const EnvironmentMap> PrefilteredEnvironment::means(double solid_angle) const {
     std::size_t i = 0;
     while (i + 1 < tables_.size() && solid_angle * solid_angle >= tables_[i].solid_angle * tables_[i + 1].solid_angle)
         ++i;
-    return *tables_[i].means;
+    return tables_[i].means;
 }
 
 SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
@@ -153,20 +153,20 @@ static Colour visible_sky(const EnvironmentMap& means, const Hit& hit, const Qua
     return sky.fraction();
 }
 
-Shader shader_of(const EnvironmentLight& any_light, RenderSettings settings) {
+Shader light_shader(const EnvironmentLight& any_light, RenderSettings settings) {
     const SampleCounts samples = share_out(any_light, settings.samples);
     settings.samples = samples.sky;
     const PixelRules rules(settings);
     if (!any_light.averages) return environment_shader(any_light.environment, rules);
-    const PrefilteredEnvironment& light = *any_light.averages;
-    const EnvironmentMap& means = light.means(2 * portable::pi / static_cast<double>(samples.sky));
-    return [=, &light, &means](const Hit& hit, int x, int y) {
+    const double cap = 2 * portable::pi / static_cast<double>(samples.sky);
+    return [=, light = any_light.averages, means = any_light.averages->means(cap)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(rules.settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        Colour irradiance = light.sky_irradiance(hit.normal) * visible_sky(means, hit, *oriented.rule, oriented.frame);
+        Colour irradiance =
+            light->sky_irradiance(hit.normal) * visible_sky(*means, hit, *oriented.rule, oriented.frame);
         if (samples.sun > 0)
-            irradiance += light.sun_irradiance(hit.normal) *
-                          sample_sun(sphere_scene, light.sun, hit, samples.sun, random).fraction();
+            irradiance += light->sun_irradiance(hit.normal) *
+                          sample_sun(sphere_scene, light->sun, hit, samples.sun, random).fraction();
         return 1 / portable::pi * (hit.albedo * irradiance);
     };
 }

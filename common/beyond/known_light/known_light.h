@@ -20,15 +20,15 @@ namespace bmc::beyond {
 // (Kautz, Vazquez, Heidrich & Seidel, "A unified approach to prefiltered environment maps", Eurographics Workshop on
 // Rendering 2000).
 struct PrefilteredEnvironment {
-    const Sun sun;  // has no part in the means over caps
+    Sun sun;  // has no part in the means over caps
 
-    // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
+    // threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
     explicit PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads = 1);
 
     // The table whose caps are nearest in size, by ratio, to this solid angle > 0. There are tables for pi, pi / 4,
     // ..., until a cap is ten texels wide, and below that the map itself. A millionth of the mean over all directions
     // is added to each mean, so that no cap is black where there is light.
-    const EnvironmentMap& means(double solid_angle) const;
+    std::shared_ptr<const EnvironmentMap> means(double solid_angle) const;
 
     // The irradiance by the sky, and by the sun, of a surface that nothing shadows, with the unit normal n:
     //     E(n) = integral of L cos(theta) d omega over the hemisphere around n.
@@ -45,14 +45,14 @@ private:
     };
 
     std::vector<Table> tables_;  // the smallest caps first, which are the texels of the sky
-    const EnvironmentMap sky_irradiance_, sun_irradiance_;
+    EnvironmentMap sky_irradiance_, sun_irradiance_;
 
     static Colour in_table(const EnvironmentMap& table, Vec3 normal) {
         return table.interpolated(table.column(normal.x, normal.z), table.row(normal.y));
     }
 };
 
-// An environment, which must outlive it, and its averages if it is known; the settings below then know the cosine.
+// An environment, and its averages if it is known; the settings below then know the cosine.
 struct EnvironmentLight {
     const EnvironmentMap& environment;
     std::shared_ptr<const PrefilteredEnvironment> averages;
@@ -67,6 +67,7 @@ struct SampleCounts {
 };
 SampleCounts share_out(const EnvironmentLight& light, std::size_t samples);
 
-// The colour of each point of a picture. The light must outlive it. Throws what the Gaussian processes throw.
-Shader shader_of(const EnvironmentLight& light, RenderSettings settings);
+// The colour of each point of a picture. The environment must outlive it, unless it is known. Throws what the Gaussian
+// processes throw.
+Shader light_shader(const EnvironmentLight& light, RenderSettings settings);
 }  // namespace bmc::beyond

@@ -10,16 +10,17 @@ static std::uint64_t z_order(int row, int column) {
     return order;
 }
 
-Sun::Sun(const EnvironmentMap& map, double threshold)
-    : whole_(map), all_(4 * portable::pi * mean_over_directions(map, brightness)) {
+Sun::Sun(const EnvironmentMap& map, double threshold) : all_(4 * portable::pi * mean_over_directions(map, brightness)) {
+    const TexelsOnSphere whole(map);
+    columns_ = whole.columns;
     const double least = threshold * all_ / (4 * portable::pi);
-    for (int row = 0; row < whole_.rows; ++row) {
-        const double top = whole_.polar(row).cosine, bottom = whole_.polar(row + 1).cosine;
-        for (int column = 0; column < whole_.columns; ++column) {
-            const Colour light = whole_(row, column);
+    for (int row = 0; row < whole.rows; ++row) {
+        const double top = whole.polar(row).cosine, bottom = whole.polar(row + 1).cosine;
+        for (int column = 0; column < whole.columns; ++column) {
+            const Colour light = whole(row, column);
             if (!(brightness(light) > least)) continue;
             texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
-                               whole_.solid_angle(row) * brightness(light), top, bottom});
+                               whole.solid_angle(row) * brightness(light), top, bottom});
         }
     }
     std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
@@ -31,22 +32,20 @@ Sun::Ray Sun::ray(double across, double down) const {
     const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
                                         [](double light, const Texel& later) { return light < later.light; });
     const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
-    const double cosine = texel->top + down * (texel->bottom - texel->top),
-                 sine = std::sqrt((1 - cosine) * (1 + cosine));
-    const double right = (before - left) / (texel->light - left);
-    return {direction_of({sine, cosine}, whole_.azimuth(texel->column + right)), texel->colour};
+    const double cosine = texel->top + down * (texel->bottom - texel->top);
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine)), right = (before - left) / (texel->light - left);
+    const portable::SineCosine azimuth = portable::sincos_turns((texel->column + right) / columns_ - 0.5);
+    return {direction_of({sine, cosine}, azimuth), texel->colour};
 }
 
-std::shared_ptr<const EnvironmentMap> Sun::sky() const {
-    if (empty()) return {std::shared_ptr<void>(), &whole_.map};
-    const auto sky = std::make_shared<EnvironmentMap>(whole_.map);
-    for (const Texel& texel : texels_) sky->set(texel.column, texel.row, {});
-    return sky;
+EnvironmentMap Sun::sky(EnvironmentMap map) const {
+    for (const Texel& texel : texels_) map.set(texel.column, texel.row, {});
+    return map;
 }
 
-EnvironmentMap Sun::alone() const {
-    EnvironmentMap sun(empty() ? 1 : whole_.map.width, empty() ? 1 : whole_.map.height);
-    for (const Texel& texel : texels_) sun.set(texel.column, texel.row, whole_(texel.row, texel.column));
+EnvironmentMap Sun::alone(const EnvironmentMap& map) const {
+    EnvironmentMap sun(empty() ? 1 : map.width, empty() ? 1 : map.height);
+    for (const Texel& texel : texels_) sun.set(texel.column, texel.row, map.colour(map.index(texel.column, texel.row)));
     return sun;
 }
 

@@ -7,8 +7,6 @@
 #include "light/texels_on_sphere.h"
 #include "scene/scene.h"
 
-#include <memory>
-
 namespace bmc::beyond {
 // Sums over rays: of all light, and of what arrives.
 struct RatioEstimator {
@@ -28,10 +26,9 @@ public:
     double light() const { return empty() ? 0 : texels_.back().light; }
     double share() const { return empty() ? 0 : light() / all_; }
 
-    // The map without the sun: where there is none, the map itself, which must then outlive it. And the sun without the
-    // rest: where there is none, one black texel.
-    std::shared_ptr<const EnvironmentMap> sky() const;
-    EnvironmentMap alone() const;
+    // The map that it was made of, without the sun; and the sun without the rest: where there is none, one black texel.
+    EnvironmentMap sky(EnvironmentMap map) const;
+    EnvironmentMap alone(const EnvironmentMap& map) const;
 
     // colour: the radiance there, scaled to R + G + B = 1.
     struct Ray {
@@ -53,7 +50,7 @@ private:
         double top, bottom;  // cosines of polar angles
     };
 
-    const TexelsOnSphere whole_;  // the map
+    int columns_;  // of the map
     double all_;
     std::vector<Texel> texels_;
 };

@@ -3,11 +3,12 @@
 #include <numeric>
 
 namespace bmc::beyond {
-Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
+Shader sun_shader(const EnvironmentMap& map, RenderSettings settings, std::size_t rays) {
     settings.method = Method::mc;
     settings.placement = {PointSet::fibonacci, KnownPart::cosine};
     const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would rarely meet
-    return [=, sky = sun->sky(), rules = PixelRules(settings)](const Hit& hit, int x, int y) {
+    return [=, sky = std::make_shared<const EnvironmentMap>(sun->sky(map)), rules = PixelRules(settings)](
+               const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         const Colour sky_colour = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);
@@ -23,8 +24,8 @@ Shader better_shader(const EnvironmentLight& light, RenderSettings settings) {
     settings.placement = {PointSet::fibonacci, KnownPart::cosine};
     settings.samples = 4 * samples;
     ++settings.seed;
-    if (light.averages) return shader_of(light, settings);
-    return shader_with_sun(light.environment, settings, samples);
+    if (light.averages) return light_shader(light, settings);
+    return sun_shader(light.environment, settings, samples);
 }
 
 using Objects = std::vector<std::optional<Object>>;  // that the pixels show
@@ -87,7 +88,7 @@ static std::vector<PilotPixel> pilot_pixels(const RenderSettings& settings, doub
 }
 
 double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings, double rays) {
-    const Shader picture = shader_of(light, settings);
+    const Shader picture = light_shader(light, settings);
     const Shader better = better_shader(light, settings);
     const std::vector<PilotPixel> pixels = pilot_pixels(settings, rays);
     std::vector<double> squares(pixels.size());

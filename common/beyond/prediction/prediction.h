@@ -12,10 +12,10 @@
 
 namespace bmc::beyond {
 // The shader by the samples of these settings, with equal weights on the cosine lattice, and by this number of rays to
-// the texels of more than four times the mean (sun.h). Nothing is from a table of the light. The map must outlive it.
-Shader shader_with_sun(const EnvironmentMap& map, RenderSettings settings, std::size_t rays);
+// the texels of more than four times the mean (sun.h). Nothing is from a table of the light.
+Shader sun_shader(const EnvironmentMap& map, RenderSettings settings, std::size_t rays);
 
-// The shader of the better picture. The light must outlive it.
+// The shader of the better picture. The environment must outlive it where light_shader needs it.
 Shader better_shader(const EnvironmentLight& light, RenderSettings settings);
 
 // The root mean square of picture - better around each pixel, colour by colour, over a window as far as that shows the
