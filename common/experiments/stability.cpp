@@ -75,20 +75,44 @@ struct Stability {
     double noise_gain;
 };
 
+// What the weights are made of, at any noise.
+struct Equations {
+    std::vector<Vec3> directions;
+    std::vector<double> z;
+    Matrix q;  // without noise
+
+    Equations(const Covariance& covariance, std::vector<Vec3> of)
+        : directions(std::move(of)), z(z_of(covariance, directions)), q(covariance_matrix(covariance, 0, directions)) {}
+
+    std::vector<double> weights(double noise) const {
+        Matrix noisy = q;
+        for (std::size_t i = 0; i < z.size(); ++i) noisy(i, i) += noise * noise;
+        return bayesian_weights(Cholesky(std::move(noisy)), z);
+    }
+};
+
+// The set's equations, and those of the rotated ones, in the reverse order.
+static std::vector<Equations> equations_of(const std::vector<Vec3>& directions, const Covariance& covariance) {
+    std::vector<Equations> all{{covariance, directions}};
+    for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
+        std::vector<Vec3> turned(directions.rbegin(), directions.rend());
+        for (Vec3& direction : turned) direction = rotate_around_y(direction, turns);
+        all.emplace_back(Threefold(covariance), std::move(turned));
+    }
+    return all;
+}
+
 // nullopt if the covariance matrix cannot be factored.
-static std::optional<Stability> stability_of(const std::vector<Vec3>& directions, const Covariance& covariance,
-                                             double noise) {
+static std::optional<Stability> stability_of(const std::vector<Equations>& all, double noise) {
     std::optional<Stability> stability;
     try {
-        const QuadratureRule rule = bayesian_rule(covariance, noise, directions);
+        const QuadratureRule rule{all[0].directions, all[0].weights(noise), KnownPart::nothing};
         stability = {INFINITY, noise_gain(rule)};
         double difference = 0, largest = 0;
-        for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
-            std::vector<Vec3> turned(directions.rbegin(), directions.rend());  // in the reverse order
-            for (Vec3& direction : turned) direction = rotate_around_y(direction, turns);
-            const QuadratureRule other = bayesian_rule(Threefold(covariance), std::sqrt(3) * noise, std::move(turned));
+        for (std::size_t turned = 1; turned < all.size(); ++turned) {
+            const std::vector<double> other = all[turned].weights(std::sqrt(3) * noise);
             for (std::size_t i = 0; i < rule.size(); ++i) {
-                difference = std::max(difference, std::fabs(rule.weights[i] - other.weights[rule.size() - 1 - i]));
+                difference = std::max(difference, std::fabs(rule.weights[i] - other[rule.size() - 1 - i]));
                 largest = std::max(largest, std::fabs(rule.weights[i]));
             }
         }
@@ -113,9 +137,10 @@ std::string StabilityReport::report() const {
         const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
         text += formatted("  %-11s %7zu %-19s %9g ", name_of(set, sample_set_names), samples,
                           name_of(family, covariance_names), parameter);
+        const std::vector<Equations> all_equations = equations_of(sample_set(set, samples), *covariance);
         std::string gains;
         for (std::size_t i = 0; i < std::size(noises); ++i) {
-            const auto stability = stability_of(sample_set(set, samples), *covariance, noises[i]);
+            const auto stability = stability_of(all_equations, noises[i]);
             progress.done();
             text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "  nan";
             if (i == 1 || i == 3 || i == 6)

@@ -4,7 +4,7 @@
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
-static Vec3 direction_at(double u, double turns, KnownPart density) {
+static inline Vec3 direction_at(double u, double turns, KnownPart density) {
     const double cos_theta = density == KnownPart::cosine ? std::sqrt(u) : u;
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));  // sqrt(1 - cos^2), exact near 1
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
@@ -12,12 +12,13 @@ static Vec3 direction_at(double u, double turns, KnownPart density) {
 }
 
 std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart density) {
-    std::vector<Vec3> directions(n);
-    for (Vec3& direction : directions) {
-        const double u = 1 - random.uniform();
-        const double turns = random.uniform();
-        direction = direction_at(u, turns, density);
+    std::vector<double> u(n), turns(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        u[i] = 1 - random.uniform();
+        turns[i] = random.uniform();
     }
+    std::vector<Vec3> directions(n);  // a loop without draws, which a processor computes for several at once
+    for (std::size_t i = 0; i < n; ++i) directions[i] = direction_at(u[i], turns[i], density);
     return directions;
 }
 
