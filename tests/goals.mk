@@ -69,8 +69,9 @@ portability: all $(BUILD)/compare
 
 SANITIZED = $(BUILD)/sanitizers
 sanitizers:
-	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined" $(ONE_SOURCE) \
-	    BUILD=$(SANITIZED) BIN=$(SANITIZED) all $(SANITIZED)/unit_tests $(SANITIZED)/compare
+	$(MAKE) CXX=clang++ $(ONE_SOURCE) BUILD=$(SANITIZED) BIN=$(SANITIZED) \
+	    CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined,float-cast-overflow" \
+	    all $(SANITIZED)/unit_tests $(SANITIZED)/compare
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) bash tests/output/run has_symbols __asan_init __ubsan_handle_add_overflow_abort
 	$(SANITIZED)/unit_tests
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) QUICK=yes bash tests/output/run product
@@ -96,8 +97,10 @@ fuzz:
 figures seconds: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) bash tests/figures/draw $(if $(filter seconds,$@),--seconds)
 
-# A header that is included first, and alone. libc++ includes fewer of its headers than others do, without these.
-ALONE = $(wildcard *.cpp common/*/*.cpp common/*/*/*.cpp common/*/*.h common/*/*/*.h)
+# Each source, and each header that is not the first include of a source, where clang-format puts the source's own.
+# libc++ includes fewer of its headers than others do, without these.
+SOURCES = $(wildcard *.cpp common/*/*.cpp common/*/*/*.cpp)
+ALONE = $(SOURCES) $(filter-out $(SOURCES:.cpp=.h),$(wildcard common/*/*.h common/*/*/*.h))
 syntax: $(ALONE:%=$(BUILD)/syntax/%)
 	@echo "$(words $^) passed, 0 failed"
 $(BUILD)/syntax/%: % always

@@ -1,6 +1,15 @@
 #include "experiments/picture_cost.h"
 #include "test.h"
 
+#include <chrono>
+#include <thread>
+
+static Image even_picture(int size) {
+    Image image(size, size);
+    image.pixels.assign(image.pixels.size(), {1, 1, 1});
+    return image;
+}
+
 // Half the error takes a quarter of the samples. At twice the seconds that is twice as efficient.
 TEST_CASE("the table has Monte Carlo's samples for the same error, and the efficiency") {
     const RenderSettings mc = small_picture(Method::mc, 40), pool = small_picture(Method::pool, 40);
@@ -17,13 +26,32 @@ TEST_CASE("a picture is compared over 16 seeds, 64 where pixels share one rule, 
         CostSettings costs;
         costs.size = size;
         costs.untimed = true;
-        Image truth(size, size);
-        truth.pixels.assign(truth.pixels.size(), {1, 1, 1});
-        return measured_picture(compared_picture(map, method, pool, {}), samples, costs, truth).rmse.squares.count;
+        const PictureCost picture = compared_picture(map, method, pool, {});
+        return measured_picture(picture, samples, costs, even_picture(size)).rmse.squares.count;
     };
     CHECK(Numbers{seeds(Method::mc, 1, 1, 128), seeds(Method::mc, 1, 1, 129)} == Numbers{16, 4});
     CHECK(Numbers{seeds(Method::direct, 1, 40, 4), seeds(Method::direct, 1, 41, 4)} == Numbers{16, 4});
     CHECK(Numbers{seeds(Method::single, 1, 1, 4), seeds(Method::pool, 3, 1, 4)} == Numbers{64, 16});
+}
+
+// The pictures of the 16 seeds come first.
+TEST_CASE("times are of one processor, hold the time of the rules, and are of many calls") {
+    const EnvironmentMap map = even_map(4, 3, 1);
+    PictureCost picture = compared_picture(map, Method::mc, 1, {});
+    picture.settings.threads = 2;
+    std::set<std::size_t> threads;
+    int made = 0, calls = 0;
+    picture.image = [&](const RenderSettings& settings) {
+        if (++made > 16) threads.insert(settings.threads);
+        if (settings.width == 1) std::this_thread::sleep_for(std::chrono::milliseconds(3));  // the rules alone
+        return even_picture(settings.width);
+    };
+    CostSettings costs;
+    costs.size = 4;
+    CHECK(measured_picture(picture, 1, costs, even_picture(4)).seconds_per_megapixel >= 3e-3);
+    CHECK(threads == std::set<std::size_t>{1});
+    for (int i = 0; i < 3; ++i) time_call([&] { ++calls; });
+    CHECK(calls > 300);
 }
 
 TEST_CASE("a light that reaches nothing has no errors to compare") {
