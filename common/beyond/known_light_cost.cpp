@@ -26,19 +26,9 @@ Shader mis_shader(const EnvironmentMap& map, const Sun& light, const RenderSetti
     };
 }
 
-double coverage(const Image& image, const Image& truth, const Image& predicted) {
-    double within = 0, all = 0;
-    for_each_hit(sphere_scene, {image.width, image.height}, [&](int x, int y, const Hit&) {
-        const Colour error = image(x, y) - truth(x, y), most = 2 * predicted(x, y);
-        within += (std::fabs(error.x) <= most.x) + (std::fabs(error.y) <= most.y) + (std::fabs(error.z) <= most.z);
-        all += 3;
-    });
-    return within / all;
-}
-
 std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
     const RenderSettings dense = row_settings(costs, {}, 10000);
-    const EnvironmentLight known(map, true, dense.threads), unknown(map, false, dense.threads);
+    const EnvironmentLight known(map, true, dense.threads);
     const Sun all(map, 0);
     const auto knows_light = [&](PictureCost picture, auto shader) {
         picture.light_known = true;
@@ -61,28 +51,12 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     Statistics mean;
     for_each_hit(sphere_scene, {costs.size, costs.size},
                  [&](int x, int y, const Hit&) { mean.add(brightness(truth(x, y)) / 3); });
-    Progress progress("rows", compared.size() * sample_counts.size());
-    std::vector<PictureCost> rows;
-    for (const PictureCost& picture : compared) {
-        const EnvironmentLight& light = picture.light_known ? known : unknown;
-        for (const std::size_t n : sample_counts) {
-            RootMeanSquare predicted;
-            Statistics covered;
-            rows.push_back(measured_picture(picture, n, costs, truth, [&](const Image& image, const RenderSettings& s) {
-                const Image errors = predicted_errors(image, render(map, s, better_shader(light, s)));
-                predicted.add(root_mean_square(errors));
-                covered.add(coverage(image, truth, errors));
-            }));
-            rows.back().extra_columns = formatted("  %10.5f %6.3f", predicted.value(), covered.mean);
-            progress.done();
-        }
-    }
     return "# The sphere scene under " + name +
            formatted(R"(. The mean radiance of the objects is %.4g.
 # Columns as of tradeoff; mis: directions in proportion to the light, and to the cosine, by multiple importance
-# sampling; predicted: the rmse by a better picture; within: the fraction of errors within two predicted ones.
+# sampling.
 )",
                      mean.mean) +
-           picture_table(rows, !costs.untimed, "   predicted within");
+           measured_table(compared, truth);
 }
 }  // namespace bmc::beyond

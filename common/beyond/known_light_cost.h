@@ -1,4 +1,4 @@
-// What it saves to know the light, and how well a better picture predicts the error of one.
+// What it saves to know the light.
 #pragma once
 
 #include "beyond/prediction/prediction.h"
@@ -9,9 +9,6 @@ namespace bmc::beyond {
 // (the sun of threshold 0), the others to the cosine, both stratified, and each is weighted by the balance heuristic of
 // multiple importance sampling (Veach & Guibas, cited in sun.h). The map and the light must outlive the shader.
 Shader mis_shader(const EnvironmentMap& map, const Sun& light, const RenderSettings& settings);
-
-// The fraction of the errors, colour by colour, that are at most twice the standard errors predicted for them.
-double coverage(const Image& image, const Image& truth, const Image& predicted);
 
 // What `workbench known-light` prints.
 struct KnownLightReport : PictureReport {

@@ -50,6 +50,17 @@ std::string PictureReport::report() const {
     return text;
 }
 
+std::string PictureReport::measured_table(const std::vector<PictureCost>& compared, const Image& truth) const {
+    Progress progress("rows", compared.size() * sample_counts.size());
+    std::vector<PictureCost> rows;
+    for (const PictureCost& picture : compared)
+        for (const std::size_t n : sample_counts) {
+            rows.push_back(measured_picture(picture, n, costs, truth));
+            progress.done();
+        }
+    return picture_table(rows, !costs.untimed);
+}
+
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples) {
     settings.samples = samples;
     settings.seed = 1000 * (costs.seed - 1);
@@ -103,29 +114,26 @@ std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
     return pictures;
 }
 
-PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
-                             const std::function<void(const Image&, const RenderSettings&)>& examine) {
+PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth) {
     if (!(image_error(truth, truth).brightness == 0))  // 0 / 0
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
     RenderSettings settings = picture.settings = row_settings(costs, picture.settings, samples);
     for (std::size_t i = 0; i < seeds_of(settings); ++i) {
         ++settings.seed;
-        const Image image = picture.image(settings);
-        const ImageError error = image_error(image, truth);
+        const ImageError error = image_error(picture.image(settings), truth);
         picture.rmse.add(error.rmse);
         picture.brightness.add(error.brightness);
         picture.correlation.add(error.correlation);
-        if (examine) examine(image, settings);
     }
     if (!costs.untimed) picture.seconds_per_megapixel = seconds_per_megapixel(picture);
     return picture;
 }
 
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& extra_columns) {
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
     std::string text = formatted(
         "# method  pool placement         known   samples       rmse     +-rmse correlation brightness "
-        "mc_samples%s%s\n",
-        timed ? "  s/megapixel efficiency" : "", extra_columns.c_str());
+        "mc_samples%s\n",
+        timed ? "  s/megapixel efficiency" : "");
     for (const PictureCost& row : rows) {
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
@@ -139,7 +147,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed, cons
         if (timed)
             text += formatted(" %12.3g %10.3g", row.seconds_per_megapixel,
                               gain * mc.seconds_per_megapixel / row.seconds_per_megapixel);
-        text += row.extra_columns + '\n';
+        text += '\n';
     }
     return text;
 }

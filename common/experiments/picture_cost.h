@@ -16,19 +16,6 @@ struct CostSettings {
     bool untimed = false;
 };
 
-// A report on pictures under one light, or under each of the built-in ones.
-struct PictureReport : Experiment {
-    std::string environment;  // empty: the built-in lights
-    std::vector<std::size_t> sample_counts{10, 40};
-    CostSettings costs;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-
-    // The table of a light of this name.
-    virtual std::string table(const std::string& name, const EnvironmentMap& light) const = 0;
-};
-
 // The error of an image, over the pixels that show an object.
 struct ImageError {
     double rmse;         // of linear radiance, all channels
@@ -47,7 +34,6 @@ struct PictureCost {
     RootMeanSquare rmse = {}, brightness = {};          // of each seed's ImageError
     Statistics correlation = {};
     double seconds_per_megapixel = 0;  // for a million pixels that show an object, on one processor; 0 unless timed
-    std::string extra_columns = {};    // columns of another report
 };
 
 // A picture of the practice in this light, which must outlive it; and all that are compared, classic Monte Carlo first.
@@ -57,11 +43,26 @@ std::vector<PictureCost> compared_pictures(const EnvironmentMap& light);
 // The settings of a row: with these samples and the size. The row's pictures have the seeds that follow this one.
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples);
 
-// The row with this number of samples. examine sees each picture and its settings. Throws std::runtime_error if nothing
-// is lit in the truth: then there is nothing to compare.
-PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth,
-                             const std::function<void(const Image&, const RenderSettings&)>& examine = nullptr);
+// The row with this number of samples. Throws std::runtime_error if nothing is lit in the truth: then there is nothing
+// to compare.
+PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth);
 
 // A line for each picture, and above them the names of the columns; the first pictures are classic Monte Carlo's.
-std::string picture_table(const std::vector<PictureCost>& rows, bool timed, const std::string& extra_columns = "");
+std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
+
+// A report on pictures under one light, or under each of the built-in ones.
+struct PictureReport : Experiment {
+    std::string environment;  // empty: the built-in lights
+    std::vector<std::size_t> sample_counts{10, 40};
+    CostSettings costs;
+
+    void add_options(Options& options) override;
+    std::string report() const override;
+
+    // The table of a light of this name.
+    virtual std::string table(const std::string& name, const EnvironmentMap& light) const = 0;
+
+    // The picture_table of these pictures, each with all numbers of samples.
+    std::string measured_table(const std::vector<PictureCost>& compared, const Image& truth) const;
+};
 }  // namespace bmc

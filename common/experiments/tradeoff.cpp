@@ -66,15 +66,7 @@ std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_r
 
 std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
     const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
-    const std::vector<PictureCost> compared = compared_pictures(light);
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
-    Progress progress("rows", compared.size() * sample_counts.size());
-    std::vector<PictureCost> rows;
-    for (const PictureCost& picture : compared)
-        for (const std::size_t n : sample_counts) {
-            rows.push_back(measured_picture(picture, n, costs, truth));
-            progress.done();
-        }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
            name +
            R"(.
@@ -83,6 +75,6 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
 # of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
 # integrand. Where times are measured, here: seconds for a million pixels of objects on one processor; efficiency,
 # 1 / (rmse^2 seconds), is that relative to mc.
-)" + picture_table(rows, !costs.untimed);
+)" + measured_table(compared_pictures(light), truth);
 }
 }  // namespace bmc
