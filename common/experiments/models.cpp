@@ -12,7 +12,7 @@ static std::vector<ModelSettings> all_models() {
     constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
     std::vector<ModelSettings> models{{}};
     for (const double s : {1.1, 1.25, 1.4, 1.8}) models.push_back({sobolev, s, 1, 0.01});
-    for (const double noise : {0.001, 0.1}) models.push_back({sobolev, 1.5, 1, noise});
+    for (const double noise : {0.001, 0.1, 0.3, 1.0}) models.push_back({sobolev, 1.5, 1, noise});
     for (const double noise : {0.01, 0.1})
         for (const double l : {0.25, 0.5, 1.0, 2.0}) models.push_back({squared_exponential, 1.5, l, noise});
     return models;

@@ -136,7 +136,7 @@ std::string RuleReport::report() const {
     std::string text = weights_block(process, covariance->known_part());
     if (!directions.empty())
         text += R"(# The weights are right if nobody looked at f to choose the directions. If some were drawn
-# towards the light, an estimate is far too bright: let f be the visibility, and the light a known factor.
+# towards the light, an estimate may be far too bright: let f be the visibility, and the light a known factor.
 )";
     if (!given.values.empty()) text += estimate_line(process, covariance->known_part(), given.values);
     if (!matrices) return text;

@@ -64,11 +64,4 @@ inline double central_moment(const EnvironmentMap& map, double mean, int power) 
         return product;
     });
 }
-
-// c, the standard deviation of the light over its mean; nan for a black one. N independent samples err by about
-// c / sqrt(N) of what they estimate, so where c > sqrt(N) they miss the light.
-inline double contrast(const EnvironmentMap& map) {
-    const double mean = mean_over_directions(map, brightness);
-    return std::sqrt(central_moment(map, mean, 2)) / mean;
-}
 }  // namespace bmc

@@ -4,12 +4,43 @@
 #include "light/texels_on_sphere.h"
 
 namespace bmc {
+// The standard deviation of the light over its mean, where a direction counts as much as objects see of it: in each of
+// 64 x 32 cells the mean of cos(theta), or 0 in shadow, over the pixels of a small picture.
+static double contrast(const EnvironmentMap& light) {
+    std::vector<Hit> hits;
+    for_each_hit(sphere_scene, {8, 8}, [&](int, int, const Hit& hit) { hits.push_back(hit); });
+    EnvironmentMap seen(65, 33);
+    const TexelsOnSphere cells(seen), texels(light, cells.columns, cells.rows);
+    for (int row = 0; row < cells.rows; ++row)
+        for (int column = 0; column < cells.columns; ++column) {
+            const Vec3 direction = direction_of(cells.polar(row + 0.5), cells.azimuth(column + 0.5));
+            double sum = 0;
+            for (const Hit& hit : hits)
+                if (!is_shadowed(sphere_scene, hit, direction)) sum += std::max(0.0, dot(hit.normal, direction));
+            seen.set(column, row, sum * Colour{1, 1, 1});
+        }
+    double weights = 0, sum = 0, squares = 0;
+    for (int row = 0; row < texels.rows; ++row) {
+        const double solid_angle = texels.solid_angle(row);
+        for (int column = 0; column < texels.columns; ++column) {
+            const double b = brightness(texels(row, column));
+            const double weight =
+                solid_angle * cells(row * cells.rows / texels.rows, column * cells.columns / texels.columns).x;
+            weights += weight;
+            sum += weight * b;
+            squares += weight * b * b;
+        }
+    }
+    return std::sqrt(std::max(0.0, squares * weights / (sum * sum) - 1));
+}
+
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples) {
-    const double c = contrast(light), error = 1.4 * c / std::sqrt(static_cast<double>(samples));
-    if (!(error > 0.5)) return false;
-    print_note("note: in random directions, expect an error of about " + two_digits(100 * error) +
-               " % of the picture's brightness " +
-               formatted("with %zu samples: the standard deviation of the light is %.2g times its mean", samples, c));
+    const double c = contrast(light), lamp = 1 / (1 + c * c), n = static_cast<double>(samples);
+    if (!(c > std::sqrt(n) / 2)) return false;
+    print_note(
+        formatted("note: on these objects the light is as uneven as one lamp's in %.2g %% of all directions, where "
+                  "%.2g of %zu random samples look; its standard deviation is %.3g times its mean",
+                  100 * lamp, n * lamp, samples, c));
     return true;
 }
 

@@ -25,9 +25,10 @@ struct PictureRequest : Experiment {
     virtual Image image(const EnvironmentMap& light) const;
 };
 
-// If this many samples in random directions miss this light, prints a note on what to expect; returns whether they do:
-// whether 1.4 c / sqrt(samples), the error relative to the brightness, is above a half. c is the contrast of the light,
-// and 1.4 the median over 21 lights, from 0.9 to 2.6; for one small lamp 2 / sqrt(3) = 1.155 can be derived.
+// If this many samples in random directions miss this light, prints a note that says how uneven it is; returns whether
+// they do: whether c / sqrt(samples), about the error relative to the brightness, is above a half. c is the standard
+// deviation of the light over its mean, of what reaches the objects. A lamp that fills the fraction f of all
+// directions, in a world that is black elsewhere, has 1 + c^2 = 1 / f.
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples);
 
 // The picture with the rules of these settings. First prints a warning, if in one of two worlds, a white one or one of
