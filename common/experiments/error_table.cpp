@@ -7,25 +7,34 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// Adds to each integrand's row the error of Monte Carlo's estimate with these directions.
+using EstimateDirections = std::function<std::vector<Vec3>(std::size_t)>;  // by the number of an estimate
+
+// Adds to each integrand's row the errors of settings.mc_estimates estimates by Monte Carlo, each with directions of
+// its own.
 // BEGIN SOLUTION table
 static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                          const std::vector<Vec3>& directions, KnownPart p) {
-    const QuadratureRule rule = monte_carlo_rule(directions, p);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
+                          const ErrorSettings& settings, const EstimateDirections& directions_of) {
+    for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
+        const QuadratureRule rule = monte_carlo_rule(directions_of(e), settings.placement.density);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
+    }
 }
 // END SOLUTION
 
-// The same for the estimate of a Gaussian process with the covariance's known part, and the absolute error that the
-// process predicts: a normal error of the standard deviation s has the mean absolute value sqrt(2 / pi) s.
+// The same for settings.bmc_estimates estimates, each by a Gaussian process of its own, and for the absolute errors
+// that the processes predict: a normal error of the standard deviation s has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
 static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                           const GaussianProcess& process, KnownPart p) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::vector<double> values = unknown_part(integrands[i].value, process.directions, p);
-        rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
-        rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
+                           const ErrorSettings& settings, const EstimateDirections& directions_of) {
+    const auto covariance = settings.make_covariance();
+    for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
+        const GaussianProcess process(*covariance, settings.noise, directions_of(e));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto values = unknown_part(integrands[i].value, process.directions, covariance->known_part());
+            rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
+            rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
+        }
     }
 }
 // END SOLUTION
@@ -44,18 +53,13 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
                                  const ErrorSettings& settings) {
     Progress progress(formatted("estimates from %zu samples", samples), settings.mc_estimates + settings.bmc_estimates);
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
-    const auto directions_of = directions_of_estimates(settings, samples);
-    for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
-        add_mc_errors(rows, integrands, directions_of(e), settings.placement.density);
+    const auto directions_of = [&, drawn = directions_of_estimates(settings, samples)](std::size_t e) {
         progress.done();
-    }
-    const auto covariance = settings.make_covariance();
+        return drawn(e);
+    };
+    add_mc_errors(rows, integrands, settings, directions_of);
     try {
-        for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-            const GaussianProcess process(*covariance, settings.noise, directions_of(e));
-            add_bmc_errors(rows, integrands, process, covariance->known_part());
-            progress.done();
-        }
+        add_bmc_errors(rows, integrands, settings, directions_of);
     } catch (const NotPositiveDefinite& error) {
         print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());
         for (ErrorRow& row : rows) row.bmc = row.predicted = {};

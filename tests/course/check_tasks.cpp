@@ -84,17 +84,14 @@ void each_model(Function f) {
         }
 }
 
-// Calls f(B B^T + 1), whose eigenvalues are at least 1.
+// Calls f(b b^T + 1), whose eigenvalues are at least 1.
 template <class Function>
 void each_positive_matrix(Function f) {
     for (const std::size_t n : sizes) {
-        const Numbers b = numbers_of(n * n, 1000 + n);
+        const Numbers b = numbers_of(n, 1000 + n);
         Matrix a(n, n);
         for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < n; ++j) {
-                a(i, j) = i == j;
-                for (std::size_t l = 0; l < n; ++l) a(i, j) += (b[i * n + l] - 2) * (b[j * n + l] - 2);
-            }
+            for (std::size_t j = 0; j < n; ++j) a(i, j) = (b[i] - 2) * (b[j] - 2) + (i == j ? 1 : 0);
         in = formatted("n = %zu: ", n);
         f(a);
     }
@@ -155,7 +152,7 @@ std::map<std::string, void (*)()> all_checks() {
     check["upper_factor"] = [] {
         each_positive_matrix([](const Matrix& a) { matrix("U", Cholesky(a).upper); });
         in = "a pivot of two roundings: ";
-        Matrix a(2, 2);  // its second pivot is two roundings
+        Matrix a(2, 2);
         a(0, 0) = 4, a(0, 1) = a(1, 0) = 2, a(1, 1) = 1 + 2 * DBL_EPSILON;
         double thrown = 0;
         try {
