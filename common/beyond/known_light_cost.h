@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beyond/prediction/prediction.h"
-#include "experiments/picture_cost.h"
+#include "experiments/reports.h"
 
 namespace bmc::beyond {
 // What renderers do with a light that they know: half of the samples are drawn in proportion to the light

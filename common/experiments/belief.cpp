@@ -105,14 +105,6 @@ void Belief::add_options(Options& options) {
     add_model_options(options, settings);
 }
 
-std::string LightFile::report() const {
-    const EnvironmentMap map = load_environment(environment);
-    Image image(map.width, map.height);
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) image(x, y) = map.colour(map.index(x, y));
-    return encode(image, Format::pfm);
-}
-
 std::string Belief::report() const {
     const View view{load_environment(environment, processors())};
     const auto covariance = settings.make_covariance();

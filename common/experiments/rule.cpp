@@ -56,16 +56,6 @@ static std::runtime_error error_in(std::size_t line, const std::string& problem)
     return std::runtime_error(formatted("line %zu: ", line) + problem);
 }
 
-// The character that begins here, of UTF-8 or else of Latin-1, for a message: itself in ASCII, or its number, U+00A0.
-static std::string name_of_character(const char* bytes) {
-    const auto byte = static_cast<unsigned char>(*bytes);
-    if (byte > ' ' && byte < 0x7f) return {'\'', *bytes, '\''};
-    int more = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;  // bytes that follow, of six bits each
-    unsigned number = more > 0 ? byte & 0x3fu >> more : byte;
-    for (; more > 0 && *++bytes; --more) number = number << 6 | (static_cast<unsigned char>(*bytes) & 0x3fu);
-    return formatted("U+%04X", more > 0 ? byte : number);
-}
-
 // The numbers of a line, without its comment.
 static std::vector<double> columns_of(const std::string& line, std::size_t number) {
     std::istringstream words(line.substr(0, line.find('#')));
@@ -75,9 +65,10 @@ static std::vector<double> columns_of(const std::string& line, std::size_t numbe
         char* end = nullptr;
         columns.push_back(std::strtod(word.c_str(), &end));
         if (end != word.c_str() + word.size())
-            throw error_in(number, formatted("'%s' is not a number, by the character %s; blanks stand between columns, "
-                                             "and # begins a comment",
-                                             word.c_str(), name_of_character(end).c_str()));
+            throw error_in(number,
+                           formatted("'%s' is not a number such as -0.5, with a hyphen and a point; plain blanks "
+                                     "stand between columns, and # begins a comment",
+                                     word.c_str()));
         if (!std::isfinite(columns.back())) throw error_in(number, "'" + word + "' is not finite");
     }
     return columns;

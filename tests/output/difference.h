@@ -2,7 +2,7 @@
 // PPM, a PFM or a Radiance picture.
 #pragma once
 
-#include "experiments/picture_cost.h"
+#include "experiments/reports.h"
 
 #include <algorithm>
 #include <cmath>

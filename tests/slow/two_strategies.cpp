@@ -4,7 +4,7 @@
 // (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995), by BMC, by BMC
 // with the cosine known, and by BMC of the visibility alone, where the light is known as well. With two arguments, a
 // strategy and a number, only lines of these.
-#include "experiments/picture_cost.h"
+#include "experiments/reports.h"
 #include "light/texels_on_sphere.h"
 
 #include <cstdio>

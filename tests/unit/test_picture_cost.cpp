@@ -1,4 +1,4 @@
-#include "experiments/picture_cost.h"
+#include "experiments/reports.h"
 #include "test.h"
 
 #include <chrono>

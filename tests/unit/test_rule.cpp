@@ -29,18 +29,16 @@ static void refused(const std::string& content, const std::string& reason) {
 }
 
 TEST_CASE("a line that is no direction is named, with what is wrong and what to do") {
-    const auto not_a_number = [](const std::string& line, const std::string& word, const std::string& character) {
-        refused("0 1 0\n\n" + line, "line 3: '" + word + "' is not a number, by the character " + character +
-                                        "; blanks stand between columns, and # begins a comment");
+    const auto not_a_number = [](const std::string& line, const std::string& word) {
+        refused("0 1 0\n\n" + line, "line 3: '" + word +
+                                        "' is not a number such as -0.5, with a hyphen and a point; plain "
+                                        "blanks stand between columns, and # begins a comment");
     };
-    not_a_number("0 1 0x\n", "0x", "'x'");
-    not_a_number("(0,1,0)\n", "(0,1,0)", "'('");
-    not_a_number("0;1;0", "0;1;0", "';'");
-    not_a_number(std::string("0 1 0 5\0\n", 9), "5", "U+0000");
-    not_a_number("0\xc2\xa0-1\xc2\xa0-0\n", "0\xc2\xa0-1\xc2\xa0-0", "U+00A0");  // no-break spaces
-    not_a_number("0 0 \xe2\x88\x92.5\n", "\xe2\x88\x92.5", "U+2212");            // a minus
-    not_a_number("0 1 0 \xf0\x9f\x98\x80\n", "\xf0\x9f\x98\x80", "U+1F600");
-    not_a_number("0 1 0 \xe9", "\xe9", "U+00E9");  // in Latin-1
+    not_a_number("0 1 0x\n", "0x");
+    not_a_number("0;1;0", "0;1;0");
+    not_a_number(std::string("0 1 0 5\0\n", 9), "5");
+    not_a_number("0\xc2\xa0-1\xc2\xa0-0\n", "0\xc2\xa0-1\xc2\xa0-0");  // no-break spaces
+    not_a_number("0 0 \xe2\x88\x92.5\n", "\xe2\x88\x92.5");            // a minus
     for (const char* word : {"nan", "inf", "1e400"})
         refused(formatted("0 1 %s\n", word), formatted("line 1: '%s' is not finite", word));
     for (const auto& [line, count] : {std::pair("0 1\n", 2), {"0 1 0 1 1\n", 5}})
