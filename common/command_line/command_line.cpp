@@ -130,7 +130,10 @@ std::string describe(const Options& options) {
     for (const Option& option : options.all) {
         const std::string words = "--" + option.name + ' ' + option.argument;
         std::string line = formatted("  %-20s ", words.c_str()) + option.description;
-        if (line.size() > 100) line.replace(line.rfind(' ', 100), 1, formatted("\n%23s", ""));
+        for (std::size_t blank; line.size() > 100; line = std::string(23, ' ') + line.substr(blank + 1)) {
+            blank = line.rfind(' ', 100);
+            text += line.substr(0, blank) + '\n';
+        }
         text += line + '\n';
     }
     return text;

@@ -34,7 +34,7 @@ struct Option {
 Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
               const std::function<void(std::size_t)>& choose);
 
-// Options in the order of the help. They set members of an experiment, which must outlive them and must not move.
+// Options in the order of the help. They set members of an experiment, which must outlive them.
 struct Options {
     std::vector<Option> all;
 
@@ -95,7 +95,7 @@ struct Command {
 // that no option takes stand behind the others from optind on (getopt_long).
 std::vector<std::string> parse_options(int argc, char** argv, const Options& options);
 
-// A line of at most 100 characters for each option, or two, for a help text.
+// Lines of at most 100 characters for each option, for a help text.
 std::string describe(const Options& options);
 
 // What the command prints for the arguments in argv: its report, or with --help the usage and its options. A note on

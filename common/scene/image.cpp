@@ -61,8 +61,11 @@ double srgb_to_linear(double code) {
 }
 
 std::string encode(const Image& image, Format format) {
-    if (format == Format::pfm) return to_pfm(image);
-    if (format == Format::bmp) return to_bmp(image);
+    switch (format) {
+        case Format::pfm: return to_pfm(image);
+        case Format::bmp: return to_bmp(image);
+        case Format::ppm: break;
+    }
     return formatted("P6\n%d %d\n255\n", image.width, image.height) + srgb_codes(image);
 }
 }  // namespace bmc
