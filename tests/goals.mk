@@ -10,7 +10,7 @@
 # make threads      pictures by seven threads, compiled by clang++ with its sanitizer of threads
 # make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
 # make figures      draws the figures of the pages from the programs' output
-# make seconds      measures the times that one of the figures shows: on a quiet machine
+# make seconds      measures the times that two of the figures show: on a quiet machine
 # make syntax       whether each source and header compiles alone: by CXX, clang++ with libc++, at its strictest
 # make format-check whether clang-format would change a source (the lines of smallbmc.cpp are set by hand)
 
