@@ -2,8 +2,6 @@
 
 #include "quadrature/quadrature.h"
 
-#include <optional>
-
 namespace bmc {
 enum class SampleSet { random, duplicates, equator, pole, cluster };
 constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
@@ -69,57 +67,33 @@ static std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     return directions;
 }
 
-struct Stability {
-    double weight_error;  // the largest difference from the weights of four rotated sets and thrice the covariance,
-                          // over the largest weight; infinite if a rotated matrix cannot be factored
-    double noise_gain;
-};
-
-// What the weights are made of, at any noise.
-struct Equations {
-    std::vector<Vec3> directions;
-    std::vector<double> z;
-    Matrix q;  // without noise
-
-    Equations(const Covariance& covariance, std::vector<Vec3> of)
-        : directions(std::move(of)), z(z_of(covariance, directions)), q(covariance_matrix(covariance, 0, directions)) {}
-
-    std::vector<double> weights(double noise) const {
+// The weights at each of the noises, times this scale: none where the matrix cannot be factored.
+static std::vector<std::vector<double>> weights_of(const Covariance& covariance, const std::vector<Vec3>& directions,
+                                                   double scale) {
+    const std::vector<double> z = z_of(covariance, directions);
+    const Matrix q = covariance_matrix(covariance, 0, directions);
+    std::vector<std::vector<double>> all;
+    for (const double noise : noises) {
         Matrix noisy = q;
-        for (std::size_t i = 0; i < z.size(); ++i) noisy(i, i) += noise * noise;
-        return bayesian_weights(Cholesky(std::move(noisy)), z);
-    }
-};
-
-// The set's equations, and those of the rotated ones, in the reverse order.
-static std::vector<Equations> equations_of(const std::vector<Vec3>& directions, const Covariance& covariance) {
-    std::vector<Equations> all{{covariance, directions}};
-    for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
-        std::vector<Vec3> turned(directions.rbegin(), directions.rend());
-        for (Vec3& direction : turned) direction = rotate_around_y(direction, turns);
-        all.emplace_back(Threefold(covariance), std::move(turned));
+        for (std::size_t i = 0; i < z.size(); ++i) noisy(i, i) += scale * noise * (scale * noise);
+        try {
+            all.push_back(bayesian_weights(Cholesky(std::move(noisy)), z));
+        } catch (const NotPositiveDefinite&) {
+            all.emplace_back();
+        }
     }
     return all;
 }
 
-// nullopt if the covariance matrix cannot be factored.
-static std::optional<Stability> stability_of(const std::vector<Equations>& all, double noise) {
-    std::optional<Stability> stability;
-    try {
-        const QuadratureRule rule{all[0].directions, all[0].weights(noise), KnownPart::nothing};
-        stability = {INFINITY, noise_gain(rule)};
-        double difference = 0, largest = 0;
-        for (std::size_t turned = 1; turned < all.size(); ++turned) {
-            const std::vector<double> other = all[turned].weights(std::sqrt(3) * noise);
-            for (std::size_t i = 0; i < rule.size(); ++i) {
-                difference = std::max(difference, std::fabs(rule.weights[i] - other[rule.size() - 1 - i]));
-                largest = std::max(largest, std::fabs(rule.weights[i]));
-            }
-        }
-        stability->weight_error = difference / largest;
-    } catch (const NotPositiveDefinite&) {  // of the set, or of a rotated one
+// The largest difference between weights and those of the directions in reverse order, over the largest weight.
+static double difference(const std::vector<double>& weights, const std::vector<double>& reversed) {
+    if (reversed.empty()) return INFINITY;
+    double most = 0, largest = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        most = std::max(most, std::fabs(weights[i] - reversed[weights.size() - 1 - i]));
+        largest = std::max(largest, std::fabs(weights[i]));
     }
-    return stability;
+    return most / largest;
 }
 
 std::string StabilityReport::report() const {
@@ -132,19 +106,28 @@ std::string StabilityReport::report() const {
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
 )";
     const std::vector<Setting> all = settings();
-    Progress progress("rules", all.size() * std::size(noises));
+    Progress progress("rules", 4 * all.size());
     for (const auto& [set, samples, family, parameter] : all) {
         const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
+        const std::vector<Vec3> directions = sample_set(set, samples);
+        const auto weights = weights_of(*covariance, directions, 1);
+        double errors[std::size(noises)] = {};
+        for (const double turns : {0.1, 0.3, 0.6, 0.8}) {
+            std::vector<Vec3> turned(directions.rbegin(), directions.rend());
+            for (Vec3& direction : turned) direction = rotate_around_y(direction, turns);
+            const auto reversed = weights_of(Threefold(*covariance), turned, std::sqrt(3));
+            for (std::size_t i = 0; i < weights.size(); ++i)
+                errors[i] = std::max(errors[i], difference(weights[i], reversed[i]));
+            progress.done();
+        }
         text += formatted("  %-11s %7zu %-19s %9g ", name_of(set, sample_set_names), samples,
                           name_of(family, covariance_names), parameter);
-        const std::vector<Equations> all_equations = equations_of(sample_set(set, samples), *covariance);
         std::string gains;
-        for (std::size_t i = 0; i < std::size(noises); ++i) {
-            const auto stability = stability_of(all_equations, noises[i]);
-            progress.done();
-            text += stability ? formatted("%5d", digits_of(stability->weight_error)) : "  nan";
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const bool none = weights[i].empty();
+            text += none ? "  nan" : formatted("%5d", digits_of(errors[i]));
             if (i == 1 || i == 3 || i == 6)
-                gains += stability ? formatted(" %8.3g", stability->noise_gain) : "      nan";
+                gains += none ? "      nan" : formatted(" %8.3g", noise_gain({directions, weights[i]}));
         }
         text += gains + '\n';
     }
