@@ -117,15 +117,17 @@ inline std::vector<std::string> parse(std::vector<std::string> words, const Opti
     return {argv.begin() + optind, argv.end() - 1};
 }
 
+inline std::vector<std::string> words_in(const std::string& text) {
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+}
+
 // The rows of a table that are not comments, as words.
 inline std::vector<std::vector<std::string>> rows_of(const std::string& table) {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines(table);
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        if (!line.empty() && line[0] != '#')
-            rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
-    }
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty() && line[0] != '#') rows.push_back(words_in(line));
     return rows;
 }
 
