@@ -30,23 +30,21 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     const RenderSettings dense = row_settings(costs, {}, 10000);
     const EnvironmentLight known(map, true, dense.threads);
     const Sun all(map, 0);
-    const auto knows_light = [&](PictureCost picture, auto shader) {
-        picture.light_known = true;
-        picture.image = [=, &map](const RenderSettings& s) { return render(map, s, shader(s)); };
-        return picture;
-    };
-    constexpr Placement uniform, stratified{PointSet::stratified, KnownPart::cosine},
-        optimised{PointSet::optimised, KnownPart::cosine};
-    std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, uniform),
-                                      compared_picture(map, Method::pool, 20, uniform),
-                                      compared_picture(map, Method::mc, 1, stratified),
-                                      compared_picture(map, Method::pool, 20, stratified),
-                                      compared_picture(map, Method::mc, 1, optimised),
-                                      knows_light(compared_picture(map, Method::mc, 1, stratified),
-                                                  [&](const RenderSettings& s) { return mis_shader(map, all, s); }),
-                                      knows_light(compared_picture(map, Method::pool, 1, optimised),
-                                                  [&](const RenderSettings& s) { return light_shader(known, s); })};
-    compared[5].method_column = "mis";
+    constexpr Placement stratified{PointSet::stratified, KnownPart::cosine};
+    constexpr Placement optimised{PointSet::optimised, KnownPart::cosine};
+    PictureCost mis = compared_picture(map, Method::mc, 1, stratified);
+    PictureCost shadows = compared_picture(map, Method::pool, 1, optimised);
+    mis.method_column = "mis";
+    mis.image = [&](const RenderSettings& s) { return render(map, s, mis_shader(map, all, s)); };
+    shadows.image = [&](const RenderSettings& s) { return render(map, s, light_shader(known, s)); };
+    mis.light_known = shadows.light_known = true;
+    const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
+                                            compared_picture(map, Method::pool, 20, {}),
+                                            compared_picture(map, Method::mc, 1, stratified),
+                                            compared_picture(map, Method::pool, 20, stratified),
+                                            compared_picture(map, Method::mc, 1, optimised),
+                                            mis,
+                                            shadows};
     const Image truth = render(map, dense, sun_shader(map, dense, dense.samples));
     Statistics mean;
     for_each_hit(sphere_scene, {costs.size, costs.size},

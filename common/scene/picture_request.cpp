@@ -9,29 +9,25 @@ namespace bmc {
 static double contrast(const EnvironmentMap& light) {
     std::vector<Hit> hits;
     for_each_hit(sphere_scene, {8, 8}, [&](int, int, const Hit& hit) { hits.push_back(hit); });
-    EnvironmentMap seen(65, 33);
-    const TexelsOnSphere cells(seen), texels(light, cells.columns, cells.rows);
-    for (int row = 0; row < cells.rows; ++row)
-        for (int column = 0; column < cells.columns; ++column) {
-            const Vec3 direction = direction_of(cells.polar(row + 0.5), cells.azimuth(column + 0.5));
-            double sum = 0;
-            for (const Hit& hit : hits)
-                if (!is_shadowed(sphere_scene, hit, direction)) sum += std::max(0.0, dot(hit.normal, direction));
-            seen.set(column, row, sum * Colour{1, 1, 1});
-        }
-    double weights = 0, sum = 0, squares = 0;
+    constexpr int columns = 64, rows = 32;
+    const EnvironmentMap grid(columns + 1, rows + 1);
+    const TexelsOnSphere cells(grid), texels(light, columns, rows);
+    double seen[rows * columns] = {};
+    for (int i = 0; i < rows * columns; ++i) {
+        const Vec3 direction = direction_of(cells.polar(i / columns + 0.5), cells.azimuth(i % columns + 0.5));
+        for (const Hit& hit : hits)
+            if (!is_shadowed(sphere_scene, hit, direction)) seen[i] += std::max(0.0, dot(hit.normal, direction));
+    }
+    Vec3 sums;  // of the weights, and of brightness and its square with these weights
     for (int row = 0; row < texels.rows; ++row) {
         const double solid_angle = texels.solid_angle(row);
         for (int column = 0; column < texels.columns; ++column) {
             const double b = brightness(texels(row, column));
-            const double weight =
-                solid_angle * cells(row * cells.rows / texels.rows, column * cells.columns / texels.columns).x;
-            weights += weight;
-            sum += weight * b;
-            squares += weight * b * b;
+            const int cell = row * rows / texels.rows * columns + column * columns / texels.columns;
+            sums += solid_angle * seen[cell] * Vec3{1, b, b * b};
         }
     }
-    return std::sqrt(std::max(0.0, squares * weights / (sum * sum) - 1));
+    return std::sqrt(std::max(0.0, sums.x * sums.z / (sums.y * sums.y) - 1));
 }
 
 bool note_missed_light(const EnvironmentMap& light, std::size_t samples) {

@@ -50,29 +50,27 @@ static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
 // E(n) is the sum of max(n . F, 0) over the fluxes F, at the corners of the table's cells. Only cells of light that are
 // cut by n's horizon are underestimated.
 static EnvironmentMap irradiance_table(const std::vector<Vec3>& flux, int rows, std::size_t threads) {
+    constexpr int most_columns = 256;
     const int columns = 2 * rows;
     EnvironmentMap table(columns + 1, rows + 1);
     for_each_row(rows + 1, threads, [&](int row) {
         const portable::SineCosine polar = portable::sincos_turns(0.5 * row / rows);
-        std::vector<double> x, z, sums[3];
+        double x[most_columns + 1], z[most_columns + 1], sums[3][most_columns + 1] = {};
         for (int i = 0; i <= columns; ++i) {
             const Vec3 normal = direction_of(polar, portable::sincos_turns(static_cast<double>(i) / columns - 0.5));
-            x.push_back(normal.x);
-            z.push_back(normal.z);
-            for (std::vector<double>& sum : sums) sum.push_back(0);
+            x[i] = normal.x;
+            z[i] = normal.z;
         }
         for (std::size_t f = 0; f < flux.size(); ++f) {
-            const Vec3 light = flux[f];
-            if (dot(light, light) == 0) continue;
-            const double vertical = polar.cosine * light.y;
-            double* sum = sums[f % 3].data();
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                const double e = x[i] * light.x + vertical + z[i] * light.z;
+            if (dot(flux[f], flux[f]) == 0) continue;
+            const double vertical = polar.cosine * flux[f].y;
+            double* sum = sums[f % 3];
+            for (int i = 0; i <= columns; ++i) {
+                const double e = x[i] * flux[f].x + vertical + z[i] * flux[f].z;
                 sum[i] += e > 0 ? e : 0;
             }
         }
-        for (std::size_t i = 0; i < x.size(); ++i)
-            table.set(static_cast<int>(i), row, {sums[0][i], sums[1][i], sums[2][i]});
+        for (int i = 0; i <= columns; ++i) table.set(i, row, {sums[0][i], sums[1][i], sums[2][i]});
     });
     return table;
 }
