@@ -1,7 +1,7 @@
 // check_tasks FUNCTION SEED calls a function of a task on inputs that follow from the seed, and prints a line for each
-// number that it gives: words that say for which input and which number, and the number. What is right is not known
-// here: build/compare compares these lines with those of the solution. For that the inputs are well conditioned. Noise
-// of 3.1 is so large that any right program agrees in seven digits, and one that computes with floats does not.
+// number that it gives: words for the input and the number, and the number. build/compare compares these lines with
+// those of the solution. For that the inputs are well conditioned: with noise of 3.1 any right program agrees in seven
+// digits, and one that computes with floats does not.
 #include "experiments/error_table.h"
 #include "scene/render.h"
 
@@ -49,8 +49,8 @@ void rule(const QuadratureRule& of, const Frame* frame = nullptr) {
 }
 
 void statistics(const std::string& what, const Statistics& of) {
-    value(what + ".count", of.count);
-    if (of.count > 0) value(what + ".mean", of.mean), value(what + ".standard_error()", of.standard_error());
+    value(what + ".count", of.count), value(what + ".mean", of.mean);
+    value(what + ".standard_error()", of.count > 0 ? of.standard_error() : 0);
 }
 
 // ---- Inputs
@@ -124,9 +124,8 @@ void error_rows_of(std::size_t mc_estimates, std::size_t bmc_estimates) {
     });
 }
 
-template <Method method>
-void rule_for() {
-    each_picture(method, [](const PixelRules& rules) {
+void rule_for(Method method) {
+    each_picture(method, [=](const PixelRules& rules) {
         const std::string picture = in;
         for (const Vec3& normal : directions_of(12)) {
             Random random(seed, static_cast<std::uint64_t>(1e6 * normal.y));
@@ -140,8 +139,8 @@ void rule_for() {
 
 // ---- What is called for each function in the table of tests/course/tasks
 
-std::map<std::string, void (*)()> all_checks() {
-    std::map<std::string, void (*)()> check;
+std::map<std::string, std::function<void()>> all_checks() {
+    std::map<std::string, std::function<void()>> check;
     check["covariance_matrix"] = [] {
         each_model([](const ErrorSettings& model, const Covariance& k, const Directions& w) {
             matrix("Q", covariance_matrix(k, model.noise, w));
@@ -207,8 +206,8 @@ std::map<std::string, void (*)()> all_checks() {
             map.set(static_cast<int>(i % 16), static_cast<int>(i / 16), {light[i], light[128 + i], light[256 + i]});
         for_each_hit(sphere_scene, {24, 24}, [&](int x, int y, const Hit& hit) {
             if ((x + y) % 5 != 0) return;
-            QuadratureRule of{directions_of(x % 2 == 0 ? 9 : 40), {}, KnownPart::cosine};
-            of.weights = numbers_of(of.directions.size(), 7);
+            const std::size_t n = x % 2 == 0 ? 9 : 40;
+            QuadratureRule of{directions_of(n), numbers_of(n, 7), KnownPart::cosine};
             of.weights[2] = -0.2;
             Frame frame(hit.normal);
             if (y % 2 == 0) frame.tangent = -1 * frame.tangent, frame.bitangent = -1 * frame.bitangent;  // half a turn
@@ -241,10 +240,8 @@ std::map<std::string, void (*)()> all_checks() {
             vector("normal", frame.normal), vector("tangent", frame.tangent), vector("bitangent", frame.bitangent);
         }
     };
-    check["rule_for_direct"] = rule_for<Method::direct>;
-    check["rule_for_single"] = rule_for<Method::single>;
-    check["rule_for_rotated"] = rule_for<Method::rotated>;
-    check["rule_for_pool"] = rule_for<Method::pool>;
+    for (const Method method : {Method::direct, Method::single, Method::rotated, Method::pool})
+        check[std::string("rule_for_") + method_names[static_cast<int>(method)]] = [=] { rule_for(method); };
     return check;
 }
 }  // namespace

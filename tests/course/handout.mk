@@ -8,8 +8,8 @@ TASK =
 unexport BASH_ENV  # which may print
 WARNINGS += -Wno-unused-parameter -Wno-unused-function -Wno-unused-variable  # of what no task uses yet
 
-# For the check your files are compiled once more, as grading compiles them. If one gives no program with the others as
-# they were handed out, an .err stays beside its object, which is that of the file as it was handed out.
+# For the check your files are compiled as grading compiles them. Of one that gives no program with the others as they
+# were handed out an .err stays, and the object is that of the file as it was handed out.
 CHECK = $(BUILD)/tests/check
 TASK_SOURCES := $(shell BASH_ENV= bash -c '. tests/tasks && echo $${files[*]}')
 MINE = $(TASK_SOURCES:%.cpp=$(CHECK)/%.o)

@@ -1,6 +1,5 @@
 // Tests of your own, with doctest: a TEST_CASE states a fact, and each CHECK compares two values, which it prints if
-// the comparison fails. make test runs them. Here are two facts of 3.1; add yours. What has made you look for a mistake
-// once is worth a line.
+// the comparison fails. Here are two facts of 3.1; add yours. What has made you look for a mistake is worth a line.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "quadrature/gaussian_process.h"
 

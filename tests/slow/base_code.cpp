@@ -2,7 +2,8 @@
 // product. The covariance is Sobolev's of smoothness 1.4, the noise 0.01; z is a mean over 50,000 random directions,
 // and the weights are z times the inverse of Q.
 //
-// Reads lines "x y z value", and prints lines "NAME number standard-error": the elements of Q, z_j, w_j, the estimate.
+// Reads lines "x y z value", and prints lines "NAME number standard-error": the elements of Q and of its inverse, z_j,
+// w_j, the estimate.
 // Let k_m be the covariances of the samples with random direction m, times 2 pi. Then z, the weights and the estimate
 // are means of k_m, of Q^-1 k_m and of Y^T Q^-1 k_m, and the scatter of these says how exact each mean is.
 #include <cmath>
@@ -43,6 +44,8 @@ int main() {
             q[i] -= multiple * q[p];
         }
     }
+    for (const Vector& row : q)
+        for (const double element : row) std::printf("inverse %.17g 0\n", element);
     Vector x(2 * n + 1), sums(2 * n + 1), squares(2 * n + 1);  // of each z_j, each weight, and the estimate
     std::mt19937_64 random(1);
     const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
