@@ -21,6 +21,7 @@ TEST_CASE("BMP: header, rows from the bottom, padded, blue first") {
         header += text_of({word % 256, word / 256 % 256, word / 65536, 0});
     CHECK(bmp.substr(0, 54) == header);
     CHECK(bmp.substr(54) == text_of({0, 0, 0, 0, 0, 0, 255, 188, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+    CHECK(encode(Image(4, 1), Format::bmp).size() == 54 + 12);
 }
 
 TEST_CASE("a byte stands for the light of the codes within half a unit, by sRGB's formula") {

@@ -34,21 +34,24 @@ TEST_CASE("a picture is compared over 16 seeds, 64 where pixels share one rule, 
     CHECK(Numbers{seeds(Method::single, 1, 1, 4), seeds(Method::pool, 3, 1, 4)} == Numbers{64, 16});
 }
 
-// The pictures of the 16 seeds come first.
-TEST_CASE("times are of one processor, hold the time of the rules, and are of many calls") {
+// Pictures of 4 x 4 pixels are compared; those of 1 and of 64 x 64 are timed.
+TEST_CASE("times are of one processor, of the rules and a million pixels of objects, and of many calls") {
     const EnvironmentMap map = even_map(4, 3, 1);
     PictureCost picture = compared_picture(map, Method::mc, 1, {});
     picture.settings.threads = 2;
     std::set<std::size_t> threads;
-    int made = 0, calls = 0;
+    int calls = 0, whole = 0;
     picture.image = [&](const RenderSettings& settings) {
-        if (++made > 16) threads.insert(settings.threads);
-        if (settings.width == 1) std::this_thread::sleep_for(std::chrono::milliseconds(3));  // the rules alone
+        if (settings.width != 4) threads.insert(settings.threads);
+        const int rules = 3, milliseconds = settings.width == 1 ? rules : settings.width == 64 ? whole : 0;
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
         return even_picture(settings.width);
     };
     CostSettings costs;
     costs.size = 4;
     CHECK(measured_picture(picture, 1, costs, even_picture(4)).seconds_per_megapixel >= 3e-3);
+    whole = 20;  // two thirds of the pixels show objects: 17 ms for 2720
+    CHECK(measured_picture(picture, 1, costs, even_picture(4)).seconds_per_megapixel > 5);
     CHECK(threads == std::set<std::size_t>{1});
     for (int i = 0; i < 3; ++i) time_call([&] { ++calls; });
     CHECK(calls > 300);
