@@ -1,9 +1,6 @@
 #include "quadrature/quadrature.h"
 
 namespace bmc {
-constexpr PointSet point_sets[] = {PointSet::random, PointSet::stratified, PointSet::fibonacci, PointSet::optimised};
-constexpr const char* point_set_names[] = {"uniform", "stratified", "fibonacci", "optimised"};
-
 std::string Placement::name() const {
     const std::string of_uniform = point_set_names[static_cast<std::size_t>(set)];
     if (density == KnownPart::nothing) return of_uniform;
@@ -13,7 +10,7 @@ std::string Placement::name() const {
 std::vector<Placement> all_placements() {
     std::vector<Placement> all;
     for (const KnownPart density : {KnownPart::nothing, KnownPart::cosine})
-        for (const PointSet set : point_sets) all.push_back({set, density});
+        for (std::size_t i = 0; i < std::size(point_set_names); ++i) all.push_back({static_cast<PointSet>(i), density});
     return all;
 }
 

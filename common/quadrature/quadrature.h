@@ -23,12 +23,13 @@ struct QuadratureRule {
 // How the directions of a rule are placed: a set (hemisphere.h), of a density that is the known part divided by its
 // integral.
 enum class PointSet { random, stratified, fibonacci, optimised };
+inline constexpr const char* point_set_names[] = {"uniform", "stratified", "fibonacci", "optimised"};
 struct Placement {
     PointSet set = PointSet::random;
     KnownPart density = KnownPart::nothing;
 
     // Whether all sets are one, but for a rotation: a lattice, or an optimised set.
-    bool is_fixed() const { return set == PointSet::fibonacci || set == PointSet::optimised; }
+    bool is_fixed() const { return set != PointSet::random && set != PointSet::stratified; }
 
     std::string name() const;  // uniform, cosine, stratified, cosine-stratified, ...
 };
