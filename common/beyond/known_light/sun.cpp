@@ -19,23 +19,23 @@ Sun::Sun(const EnvironmentMap& map, double threshold) : all_(4 * portable::pi * 
         for (int column = 0; column < whole.columns; ++column) {
             const Colour light = whole(row, column);
             if (!(brightness(light) > least)) continue;
-            texels_.push_back({z_order(row, column), row, column, 1 / brightness(light) * light,
-                               whole.solid_angle(row) * brightness(light), top, bottom});
+            texels_.push_back({z_order(row, column), row, column, light, top, bottom});
         }
     }
     std::sort(texels_.begin(), texels_.end(), [](const Texel& a, const Texel& b) { return a.order < b.order; });
-    for (std::size_t i = 1; i < texels_.size(); ++i) texels_[i].light += texels_[i - 1].light;
+    for (Texel& texel : texels_) {
+        light_.push_back(light_.back() + whole.solid_angle(texel.row) * brightness(texel.colour));
+        texel.colour = 1 / brightness(texel.colour) * texel.colour;
+    }
 }
 
 Sun::Ray Sun::ray(double across, double down) const {
     const double before = across * light();
-    const auto texel = std::upper_bound(texels_.begin(), texels_.end() - 1, before,
-                                        [](double light, const Texel& later) { return light < later.light; });
-    const double left = texel == texels_.begin() ? 0 : (texel - 1)->light;
-    const double cosine = texel->top + down * (texel->bottom - texel->top);
-    const double sine = std::sqrt((1 - cosine) * (1 + cosine)), right = (before - left) / (texel->light - left);
-    const portable::SineCosine azimuth = portable::sincos_turns((texel->column + right) / columns_ - 0.5);
-    return {direction_of({sine, cosine}, azimuth), texel->colour};
+    const auto end = std::upper_bound(light_.begin() + 1, light_.end() - 1, before);  // of the texel's light
+    const Texel& texel = texels_[static_cast<std::size_t>(end - light_.begin() - 1)];
+    const double cosine = texel.top + down * (texel.bottom - texel.top), right = (before - end[-1]) / (*end - end[-1]);
+    const portable::SineCosine azimuth = portable::sincos_turns((texel.column + right) / columns_ - 0.5);
+    return {direction_of({std::sqrt((1 - cosine) * (1 + cosine)), cosine}, azimuth), texel.colour};
 }
 
 EnvironmentMap Sun::sky(EnvironmentMap map) const {

@@ -23,7 +23,7 @@ public:
     bool empty() const { return texels_.empty(); }
 
     // The integral of its R + G + B over all directions, and the ratio to that of the whole map.
-    double light() const { return empty() ? 0 : texels_.back().light; }
+    double light() const { return light_.back(); }
     double share() const { return empty() ? 0 : light() / all_; }
 
     // The map that it was made of, without the sun; and the sun without the rest: where there is none, one black texel.
@@ -46,13 +46,13 @@ private:
         std::uint64_t order;  // Morton's
         int row, column;
         Colour colour;
-        double light;        // of this texel and those before it
         double top, bottom;  // cosines of polar angles
     };
 
     int columns_;  // of the map
     double all_;
     std::vector<Texel> texels_;
+    std::vector<double> light_{0};  // of no texel, of the first one, of the first two ...
 };
 
 // The sums over m rays to the sun, or over none if it is empty. Ray j is ray((j + u) / m, down), where u and then down
