@@ -4,27 +4,21 @@
 #include "light/texels_on_sphere.h"
 
 namespace bmc {
-// The standard deviation of the light over its mean, where a direction counts as much as objects see of it: in each of
-// 64 x 32 cells the mean of cos(theta), or 0 in shadow, over the pixels of a small picture.
+// The standard deviation of the light over its mean, where a direction counts by cos(theta) on the rectangle, whose
+// normal is +y, and on the side of the sphere that the camera sees, whose mean normal is +z. Of a texel, the solid
+// angle is in proportion to the sine of the polar angle.
 static double contrast(const EnvironmentMap& light) {
-    std::vector<Hit> hits;
-    for_each_hit(sphere_scene, {8, 8}, [&](int, int, const Hit& hit) { hits.push_back(hit); });
-    constexpr int columns = 64, rows = 32;
-    const EnvironmentMap grid(columns + 1, rows + 1);
-    const TexelsOnSphere cells(grid), texels(light, columns, rows);
-    double seen[rows * columns] = {};
-    for (int i = 0; i < rows * columns; ++i) {
-        const Vec3 direction = direction_of(cells.polar(i / columns + 0.5), cells.azimuth(i % columns + 0.5));
-        for (const Hit& hit : hits)
-            if (!is_shadowed(sphere_scene, hit, direction)) seen[i] += std::max(0.0, dot(hit.normal, direction));
-    }
+    const TexelsOnSphere texels(light);
+    std::vector<double> towards_camera;
+    for (int column = 0; column < texels.columns; ++column)
+        towards_camera.push_back(-texels.azimuth(column + 0.5).cosine);
     Vec3 sums;  // of the weights, and of brightness and its square with these weights
     for (int row = 0; row < texels.rows; ++row) {
-        const double solid_angle = texels.solid_angle(row);
+        const auto [sine, cosine] = texels.polar(row + 0.5);
         for (int column = 0; column < texels.columns; ++column) {
+            const double seen = std::max(0.0, cosine) + std::max(0.0, sine * towards_camera[std::size_t(column)]);
             const double b = brightness(texels(row, column));
-            const int cell = row * rows / texels.rows * columns + column * columns / texels.columns;
-            sums += solid_angle * seen[cell] * Vec3{1, b, b * b};
+            sums += sine * seen * Vec3{1, b, b * b};
         }
     }
     return std::sqrt(std::max(0.0, sums.x * sums.z / (sums.y * sums.y) - 1));
