@@ -32,7 +32,8 @@ static std::runtime_error refusal(const std::string& problem) {
 // Without the white space at its end.
 static std::string header_line(std::istream& in) {
     char line[4096];
-    if (!in.getline(line, sizeof line)) throw refusal("the header ends early, or has a line of more than 4095 bytes");
+    if (!in.getline(line, sizeof line))
+        throw std::runtime_error("the header ends early, or has a line of more than 4095 bytes");
     const std::string text = line;
     return text.substr(0, text.find_last_not_of(" \t\r") + 1);
 }
@@ -50,18 +51,23 @@ static Header read_header(std::istream& in) {
     Header header;
     int lines = 0;
     for (std::string line = header_line(in); !line.empty(); line = header_line(in)) {
-        if (++lines > 1000) throw refusal("the header has more than 1000 lines");
+        if (++lines > 1000) throw std::runtime_error("the header has more than 1000 lines");
         const std::string name = line.substr(0, line.find('=') + 1), value = line.substr(name.size());
         if (name == "EXPOSURE=") header.exposure *= std::strtod(value.c_str(), nullptr);
         if (name == "FORMAT=" && value.find("32-bit_rle_rgbe") == value.npos) throw refusal("'" + line + "'");
     }
-    if (!(header.exposure >= 1e-6 && header.exposure <= 1e6)) throw refusal("EXPOSURE is not from 1e-6 to 1e6");
+    if (!(header.exposure >= 1e-6 && header.exposure <= 1e6))
+        throw std::runtime_error("the product of the EXPOSURE lines is not from 1e-6 to 1e6");
     const std::string line = header_line(in);
     int end = 0;
     std::sscanf(line.c_str(), "-Y %9d +X %9d%n", &header.height, &header.width, &end);
-    if (end != static_cast<int>(line.size()) || header.height < 1 || header.width < 1 ||
-        std::int64_t{header.height} * header.width > EnvironmentMap::max_texels)
-        throw refusal("resolution line '" + line + "' is too large, or not '-Y height +X width'");
+    if (end != static_cast<int>(line.size()) || header.height < 1 || header.width < 1)
+        throw refusal("resolution line '" + line + "' is not '-Y height +X width'");
+    if (std::int64_t{header.height} * header.width > EnvironmentMap::max_texels)
+        throw std::runtime_error(
+            formatted("%d x %d texels are more than %d; `oiiotool in --resize 4096x0 -o out.hdr` "
+                      "makes fewer",
+                      header.width, header.height, EnvironmentMap::max_texels));
     return header;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("a file's radiances are the true ones times all of its exposures") {
     CHECK(with_lines("EXPOSURE=.5e0, once\nCOLORCORR=1 0.5 2\nPRIMARIES=1 1") == std::vector<double>{2, 4, 6});
     for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1e7", "EXPOSURE=x 1",
                                    "EXPOSURE=", "EXPOSURE=1e-4\nEXPOSURE=1e-4"})
-        CHECK(message_of([&] { with_lines(line); }) == Containing{"EXPOSURE is not from 1e-6 to 1e6: a light is a"});
+        CHECK(message_of([&] { with_lines(line); }) == "the product of the EXPOSURE lines is not from 1e-6 to 1e6");
 }
 
 TEST_CASE("coded scanlines of 8 to 32767 texels decode the runs and literals of each component, up to the longest") {
@@ -81,8 +81,7 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
     for (const char* file :
          {"", "#", "<html>", "# RADIANCE\n\n-Y 1 +X 1\n", "v/1\1\2", "PF\n", "\x89PNG", "\xff\xd8\xff"})
         refused(file, "its first line does not begin with #?" + what_is_read);
-    refused("#?RADIANCE",
-            "the header ends early" + std::string(", or has a line of more than 4095 bytes") + what_is_read);
+    refused("#?RADIANCE", "the header ends early, or has a line of more than 4095 bytes");
     refused("#?RADIANCE\n" + std::string(5000, 'x'), "the header ends early, or has a line of more than 4095 bytes");
     std::string lines;
     for (int i = 0; i < 1001; ++i) lines += "x\n";
@@ -90,10 +89,11 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
     for (const std::string format : {"FORMAT=32-bit_rle_rgb", "FORMAT=32-bit_rle_xyze", "FORMAT="})
         refused(hdr("-Y 1 +X 1", "", format), "'" + format + "'" + what_is_read);
     for (const std::string size :
-         {"-Y 1 +X", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 8193 +X 8192", "-Y 65536 +X 65536",
-          "-Y 4294967299 +X 1", "-Y 1 +Y 1", "-Y 1 -X 1", "+Y 1 +X 1", "+X 1 -Y 1", "-Z 1 +X 1", "*Y 1 +X 1"})
-        refused(hdr(size, ""),
-                "resolution line '" + size + "' is too large, or not '-Y height +X width'" + what_is_read);
+         {"-Y 1 +X", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 4294967299 +X 1", "-Y 1 +Y 1",
+          "-Y 1 -X 1", "+Y 1 +X 1", "+X 1 -Y 1", "-Z 1 +X 1", "*Y 1 +X 1"})
+        refused(hdr(size, ""), "resolution line '" + size + "' is not '-Y height +X width'" + what_is_read);
+    for (const std::string size : {"-Y 8193 +X 8192", "-Y 65536 +X 65536"})
+        refused(hdr(size, ""), "texels are more than 67108864; `oiiotool in --resize 4096x0 -o out.hdr` makes fewer");
     const auto row_refused = [&](const std::vector<int>& bytes, const std::string& reason) {
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
     };
