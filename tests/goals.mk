@@ -25,6 +25,7 @@ $(BUILD)/%_sources.cpp: | $(BUILD)/settings
 	@printf '#include "%s"\n' $(filter %.cpp,$^) > $@
 $(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
 	$(call say,CXX $<) $(COMPILE) -I. $(EXTRA) -MMD -MP -c $< -o $@
+$(BUILD)/common_sources.o: EXTRA = -w
 $(BUILD)/unit_sources.o: EXTRA = -O0 -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS
 ONE_SOURCE = COMMON='$$(BUILD)/common_sources.o'
 $(BUILD)/unit_tests: $(BUILD)/unit_sources.o $(COMMON)
