@@ -33,7 +33,8 @@
 #include <cstring>
 
 #ifndef UNGUARDED_ARITHMETIC
-static_assert(FLT_EVAL_METHOD == 0, "double must be evaluated as double: on 32-bit x86 use -msse2 -mfpmath=sse");
+static_assert(FLT_EVAL_METHOD == 0,
+              "double must be evaluated as double: on x86 take -mfpmath=sse (32 bits: -msse2, too)");
 #endif
 
 namespace bmc::portable {
