@@ -55,13 +55,4 @@ double mean_over_directions(const EnvironmentMap& map, Function f) {
     }
     return sum / (4 * portable::pi);
 }
-
-// The mean over all directions of (b - mean)^power, where b is brightness(L) and has this mean.
-inline double central_moment(const EnvironmentMap& map, double mean, int power) {
-    return mean_over_directions(map, [=](Colour c) {
-        double product = 1;
-        for (int i = 0; i < power; ++i) product *= brightness(c) - mean;
-        return product;
-    });
-}
 }  // namespace bmc

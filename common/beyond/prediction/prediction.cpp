@@ -103,8 +103,11 @@ double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings,
 }
 
 double kurtosis(const EnvironmentMap& map) {
-    const double mean = mean_over_directions(map, brightness), variance = central_moment(map, mean, 2);
-    return variance > 0 ? central_moment(map, mean, 4) / (variance * variance) : 1;
+    const double mean = mean_over_directions(map, brightness);
+    const auto square = [=](Colour c) { return (brightness(c) - mean) * (brightness(c) - mean); };
+    const double variance = mean_over_directions(map, square);
+    const auto fourth_power = [=](Colour c) { return square(c) * square(c); };
+    return variance > 0 ? mean_over_directions(map, fourth_power) / (variance * variance) : 1;
 }
 
 Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, RenderSettings settings) {
