@@ -9,10 +9,10 @@ BIN = .
 
 # A program is made of an object of its own and of those of common/. It is linked again when a source goes, too: the
 # source's folder has changed.
-COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*/*.cpp common/*/*/*.cpp))
+COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*/*.cpp))
 .PHONY: always all clean help
 all: $(BIN)/workbench $(BIN)/renderer
-$(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON) $(wildcard common/*/ common/*/*/)
+$(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON) $(wildcard common/*/)
 	$(call say,LINK $@) $(LINK) -o $@
 
 # An object is made of a source, and of the headers that are listed beside it when it is compiled; also of the settings,

@@ -20,7 +20,7 @@
 # All unit tests are one source, which reads each header once; they take longer to compile than to run. So are, where
 # programs only run, all sources of common/: one source hides a missing #include. Made again when a file goes, too.
 $(BUILD)/unit_sources.cpp: $(wildcard tests/unit/*.cpp) tests/unit
-$(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/*/*.cpp common/*/ common/*/*/)
+$(BUILD)/common_sources.cpp: $(wildcard common/*/*.cpp common/*/)
 $(BUILD)/%_sources.cpp: | $(BUILD)/settings
 	@printf '#include "%s"\n' $(filter %.cpp,$^) > $@
 $(BUILD)/%_sources.o: $(BUILD)/%_sources.cpp $(BUILD)/settings
@@ -100,8 +100,8 @@ figures seconds: all $(BUILD)/compare
 
 # Each source, and each header that is not the first include of a source, where clang-format puts the source's own.
 # libc++ includes fewer of its headers than others do, without these.
-SOURCES = $(wildcard *.cpp common/*/*.cpp common/*/*/*.cpp)
-ALONE = $(SOURCES) $(filter-out $(SOURCES:.cpp=.h),$(wildcard common/*/*.h common/*/*/*.h))
+SOURCES = $(wildcard *.cpp common/*/*.cpp)
+ALONE = $(SOURCES) $(filter-out $(SOURCES:.cpp=.h),$(wildcard common/*/*.h))
 syntax: $(ALONE:%=$(BUILD)/syntax/%)
 	@echo "$(words $^) passed, 0 failed"
 $(BUILD)/syntax/%: % always

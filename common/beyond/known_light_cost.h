@@ -1,7 +1,7 @@
 // What it saves to know the light.
 #pragma once
 
-#include "beyond/prediction/prediction.h"
+#include "beyond/predicted_error.h"
 #include "experiments/reports.h"
 
 namespace bmc::beyond {

@@ -1,7 +1,7 @@
 // What the renderer is asked for beyond the practice: a light that is known, and errors that are predicted.
 #pragma once
 
-#include "beyond/prediction/prediction.h"
+#include "beyond/predicted_error.h"
 #include "scene/picture_request.h"
 
 namespace bmc::beyond {
@@ -12,15 +12,13 @@ inline constexpr const char* show_names[] = {"picture", "error"};
 struct Request : PictureRequest {
     bool light_known = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
     Show show = Show::picture;
-    double rmse = 0;  // the predicted RMSE to reach; 0: the number of samples is given
 
-    bool is_plain() const { return !light_known && show == Show::picture && rmse == 0; }  // one of the practice's
+    bool is_plain() const { return !light_known && show == Show::picture; }  // one of the practice's
 
     void add_options(Options& options) override;
     void advise(const EnvironmentMap& map) const override;
 
-    // What the file shows. Prints the prediction on stderr. Throws std::runtime_error if an RMSE takes too many
-    // samples.
+    // What the file shows. Prints the RMSE of predicted errors on stderr.
     Image image(const EnvironmentMap& map) const override;
 };
 }  // namespace bmc::beyond

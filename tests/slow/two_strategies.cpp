@@ -2,7 +2,7 @@
 // with density cos(theta) / pi ("cosine") or in proportion to the light ("light"): by multiple importance sampling with
 // the balance heuristic (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH
 // 1995), and by BMC. The course's page says what follows.
-#include "beyond/known_light/sun.h"
+#include "beyond/sun.h"
 #include "experiments/reports.h"
 
 #include <array>

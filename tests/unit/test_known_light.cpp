@@ -1,4 +1,4 @@
-#include "beyond/known_light/known_light.h"
+#include "beyond/known_light.h"
 #include "test.h"
 
 using namespace bmc::beyond;

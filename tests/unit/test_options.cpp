@@ -29,8 +29,8 @@ static std::vector<Trial> trials() {
         {"renderer", made<beyond::Request>, mc, "samples covariance smoothness length-scale noise pool placement seed"},
         {"renderer", made<beyond::Request>, mc + " --known=light", "samples covariance smoothness pool placement"},
         {"renderer", made<beyond::Request>, "--size=8 --method=single --format=pfm " + light, "exposure pool"},
-        {"renderer", made<beyond::Request>, "--size=8 --method=direct --rmse=0.5 " + light + squared,
-         "samples smoothness length-scale pool"},
+        {"renderer", made<beyond::Request>, "--size=8 --method=direct " + light + squared,
+         "smoothness length-scale pool"},
         {"workbench", made<ErrorTables>, few, ""},
         {"workbench", made<ErrorTables>, "--samples=2 --mc-estimates=1 --bmc-estimates=1", "integrand"},
         {"workbench", made<ErrorTables>, few + squared, "length-scale"},
@@ -49,7 +49,7 @@ static std::vector<Trial> trials() {
 // The words that are tried of an option, --name=value: each name of the help but the default, or another number.
 static Strings words_of(const Option& option) {
     const std::string others =
-        "samples=2 pool=3 smoothness=1.4 length-scale=0.3 noise=0.5 seed=65537 size=9 exposure=-1 threads=2 rmse=0.1 "
+        "samples=2 pool=3 smoothness=1.4 length-scale=0.3 noise=0.5 seed=65537 size=9 exposure=-1 threads=2 "
         "mc-estimates=7 bmc-estimates=7 environment=black-and-white directions=tests/output/directions.txt";
     if (option.argument.empty()) return {"--" + option.name};
     for (const std::string& other : words_in(others))

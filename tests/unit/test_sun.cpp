@@ -1,4 +1,4 @@
-#include "beyond/known_light/sun.h"
+#include "beyond/sun.h"
 #include "test.h"
 
 using namespace bmc::beyond;

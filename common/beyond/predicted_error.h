@@ -8,7 +8,7 @@
 // knows it, too.
 #pragma once
 
-#include "beyond/known_light/known_light.h"
+#include "beyond/known_light.h"
 
 namespace bmc::beyond {
 // The shader by the samples of these settings, with equal weights on the cosine lattice, and by this number of rays to
@@ -25,29 +25,4 @@ Image predicted_errors(const Image& picture, const Image& better);
 
 // The root mean square over all colours of the pixels that show an object; 0 where none does.
 double root_mean_square(const Image& errors);
-
-// The predicted RMSE of a picture before it is rendered, by a pilot: every k-th pixel of every k-th row of this
-// picture, k a 128th of the width and of the height (at least 1). k is halved, down to 1, until the pilot traces at
-// least this number of rays. 0 if none of the pixels shows an object.
-double pilot_rmse(const EnvironmentLight& light, const RenderSettings& settings, double rays);
-
-// The mean of (L - mean of L)^4 over all directions, over the squared mean of (L - mean of L)^2, where L is R + G + B;
-// 1 if L is constant.
-double kurtosis(const EnvironmentMap& map);
-
-struct Prediction {
-    double samples, rmse;
-};
-
-// The fewest samples, at least 1, whose predicted RMSE is at most the target. Pilots double the samples, and then
-// follow the power between the last two. If `most` samples do not suffice, it is about the number that would, with the
-// target.
-//
-// A pilot that misses a small bright light predicts too little. The variance of n numbers of kurtosis K has a relative
-// standard error of about sqrt(K / n), and its root has half of that: 1 / 32 if the pilot has n = 256 K rays. It is a
-// few times as much if rays have several weights, and none if the pilot is the whole picture. A light that is known is
-// not missed.
-//
-// Throws what the Gaussian processes throw. The pilots of Method::direct have the rules of a pool, to save time.
-Prediction samples_for(double target, std::size_t most, const EnvironmentLight& light, RenderSettings settings);
 }  // namespace bmc::beyond

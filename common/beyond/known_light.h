@@ -12,7 +12,7 @@
 // in the geometric mean of the errors under 37 lights, 14 of them photographs: lamps and windows are a sun, too.
 #pragma once
 
-#include "beyond/known_light/sun.h"
+#include "beyond/sun.h"
 #include "scene/render.h"
 
 namespace bmc::beyond {

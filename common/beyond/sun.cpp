@@ -1,4 +1,4 @@
-#include "beyond/known_light/sun.h"
+#include "beyond/sun.h"
 
 namespace bmc::beyond {
 // The bits of row and column in turns (Morton, "A computer oriented geodetic data base", IBM 1966). Neighbours in this
