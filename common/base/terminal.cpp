@@ -5,6 +5,7 @@
 #include <cctype>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <mutex>
 
 namespace bmc {
@@ -19,6 +20,15 @@ static double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+static bool is_in_foreground() {
+#ifdef _WIN32
+    return isatty(STDERR_FILENO);
+#else
+    const char* const kind = std::getenv("TERM");
+    return tcgetpgrp(STDERR_FILENO) == getpgrp() && !(kind && std::string_view(kind) == "dumb");  // has no way back
+#endif
+}
+
 Progress::Progress(const std::string& phase, std::size_t parts) : phase_(phase), parts_(parts), start_(seconds()) {}
 
 Progress::~Progress() { clear_line(); }
@@ -26,13 +36,13 @@ Progress::~Progress() { clear_line(); }
 void Progress::done() {
     static std::mutex mutex;
     const std::lock_guard<std::mutex> lock(mutex);
-    const std::size_t percent = 100 * ++done_ / parts_;
+    ++done_;
     const double spent = seconds() - start_;
-    if (percent == percent_ || spent < 1 || !isatty(STDERR_FILENO)) return;
-    percent_ = percent;
+    if (spent < shown_ + 1 || !is_in_foreground()) return;
+    shown_ = spent;
     const double left = spent / static_cast<double>(done_) * static_cast<double>(parts_ - done_);
     clear_line();
-    columns = std::fprintf(stderr, "%s: %zu %%, %.0f s left", phase_.c_str(), percent, left);
+    columns = std::fprintf(stderr, "%s: %zu %%, %.0f s left", phase_.c_str(), 100 * done_ / parts_, left);
 }
 
 // Nothing here allocates: the problem may be a lack of memory.

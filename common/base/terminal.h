@@ -10,8 +10,8 @@ namespace bmc {
 inline const char* program_name = "bmc";
 void print_note(std::string_view text);
 
-// A phase of a long calculation, which consists of equal parts. After its first second a terminal shows "picture: 43 %,
-// 12 s left", until it ends.
+// A phase of a long calculation, which consists of equal parts. Every second the terminal shows "picture: 43 %, 12 s
+// left", until the phase ends; but not from the background, where another program has the terminal.
 class Progress {
 public:
     Progress(const std::string& phase, std::size_t parts);
@@ -22,6 +22,7 @@ private:
     const std::string phase_;
     const std::size_t parts_;
     const double start_;  // seconds
-    std::size_t done_ = 0, percent_ = 0;
+    double shown_ = 0;  // seconds from the start
+    std::size_t done_ = 0;
 };
 }  // namespace bmc
