@@ -98,7 +98,7 @@ static void apply(const Option& option, int found, const std::string& value, boo
     try {
         option.set(value);
     } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(name + ": " + error.what());
+        throw std::invalid_argument(name + ' ' + option.argument + ": " + error.what());
     }
 }
 

@@ -41,7 +41,7 @@ TEST_CASE("a mistake in an option is a message that names it") {
     CHECK(values.text == "-");
     parse({"--text=--flag"}, options);
     CHECK(values.text == "--flag");
-    CHECK(mistake({"--whole", "0"}) == "--whole: '0' is not a whole number from 1 to 4096");
+    CHECK(mistake({"--whole", "0"}) == "--whole N: '0' is not a whole number from 1 to 4096");
     CHECK(mistake({"--flag=1"}) == "--flag takes no value");
 }
 
@@ -53,6 +53,7 @@ TEST_CASE("numbers are read entirely or not at all") {
         CHECK(parse_integer(std::to_string(whole), 1, whole) == whole);
     for (const char* text : {"", "0", "21", "1.5", "1e1", "18446744073709551617", "-1", "0x10", " 17", "17 "})
         CHECK_THROWS_AS_MESSAGE(parse_integer(text, 1, 20), std::invalid_argument, text);
+    CHECK_THROWS_AS(parse_integer("18446744073709551616", 0, UINT64_MAX), std::invalid_argument);  // 2^64
 }
 
 TEST_CASE("a note is one line without control characters") {
