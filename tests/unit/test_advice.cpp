@@ -52,15 +52,6 @@ TEST_CASE("weights that cancel, or that make a white world dark, give a warning"
     CHECK(close_to_dark >= 2);
 }
 
-TEST_CASE("weights that are too bright give a warning, and the default cures them") {
-    RenderSettings settings = small_picture(Method::pool, 85, 12, {PointSet::fibonacci, KnownPart::cosine});
-    CHECK(warning_of(settings).empty());
-    settings.smoothness = 1.001;
-    CHECK(warning_of(settings) ==
-          Containing{
-              " % too bright, more than twice Monte Carlo's error; take the default method, covariance and noise"});
-}
-
 TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
     for (const auto& [number, text] : {std::pair(1.0, "1"),
                                        {2.6, "3"},
@@ -70,37 +61,4 @@ TEST_CASE("numbers for people have two digits, and an exponent only if they are 
                                        {1.26e5, "130000"},
                                        {2.04e79, "2e+79"}})
         CHECK(two_digits(number) == text);
-}
-
-static std::string note_of(const EnvironmentMap& light, std::size_t samples) {
-    bool missed = false;
-    const std::string text = stderr_of([&] { missed = note_missed_light(light, samples); });
-    CHECK(missed == !text.empty());
-    return text;
-}
-
-// The scene is symmetric, so its objects see as much of the half that is 1 + s as of the half that is 1 - s: c is s.
-TEST_CASE("samples miss a light if its contrast on the objects is above half the root of their number") {
-    const auto note = [](double s, std::size_t samples) {
-        return note_of(map_of(65, 33, [=](int x, int) { return (x < 32 ? 1 + s : 1 - s) * Colour{1, 1, 1}; }), samples);
-    };
-    CHECK(note(1, 5).empty());
-    CHECK(note(1, 3) == Containing{"one lamp's in 50 % of all directions, where 1.5 of 3 random samples look; its"});
-    CHECK(note(1, 3) == Containing{"standard deviation is 1 times its mean"});
-    CHECK(note(0.51, 1) == Containing{"one lamp's in 79 % of all directions, where 0.79 of 1 random samples look"});
-    CHECK(note(0.49, 1).empty());
-    CHECK(note(0, 1).empty());
-    CHECK(note_of(EnvironmentMap(2, 2), 1).empty());
-}
-
-TEST_CASE("a lamp that no object sees is not missed") {
-    const auto note = [](double u, double v) {
-        EnvironmentMap map = even_map(129, 65, 1);
-        const int texel = map.index(towards(u, v)) - 1;
-        map.set(texel % 129, texel / 129, {1e5, 1e5, 1e5});
-        return note_of(map, 40);
-    };
-    CHECK(!note(0, 0.3).empty());     // behind the camera, which looks along -z
-    CHECK(note(0.5, 0.62).empty());   // straight ahead, 22 degrees below the horizon
-    CHECK(note(0.25, 0.98).empty());  // below the rectangle
 }

@@ -1,4 +1,4 @@
-#include "light/environment.h"
+#include "light/texels_on_sphere.h"
 #include "test.h"
 
 TEST_CASE("a direction meets the texel at the floor of column and row") {
@@ -23,4 +23,28 @@ TEST_CASE("radiance is interpolated between the centres of texels, around the az
         CHECK_MESSAGE(std::fabs(found - expected) < 5e-7, found << " for " << expected);
     }
     CHECK(even_map(1, 1, 3).bilinear_radiance({0, 1, 0}) == Vec3{3, 3, 3});
+}
+
+TEST_CASE("black and white is light from every direction with x > 0") {
+    const EnvironmentMap map = load_environment("black-and-white");
+    for (const Vec3& w : all_around(1000))  // a column is 0.006 wide
+        if (std::fabs(w.x) > 0.01) CHECK_MESSAGE(map.radiance(w).y == (w.x > 0), w);
+}
+
+TEST_CASE("the pieces of a map cover the sphere once, each within its texel") {
+    for (const auto& [width, height] : {std::pair(1, 1), {9, 5}, {40, 1}}) {
+        const EnvironmentMap map = coloured_map(width, height);
+        const TexelsOnSphere texels(map, 20, 10);
+        CHECK(texels.columns >= 20);
+        CHECK(texels.rows >= 10);
+        CAPTURE(map.width);
+        double all = 0;
+        for (int row = 0; row < texels.rows; ++row) {
+            all += texels.columns * texels.solid_angle(row);
+            for (int column = 0; column < texels.columns; ++column)
+                CHECK(texels(row, column) ==
+                      map.radiance(direction_of(texels.polar(row + 0.5), texels.azimuth(column + 0.5))));
+        }
+        CHECK(relative(all, 4 * pi) < 1e-14);
+    }
 }

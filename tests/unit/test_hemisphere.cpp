@@ -35,12 +35,6 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
     }
 }
 
-// The first number of this stream is 0.
-TEST_CASE("cos(theta) of a random direction is in (0, 1], for numbers in [0, 1)") {
-    Random random(1, 0xd30c3b7d2a943d49);
-    CHECK(random_directions(1, random)[0] == Vec3{0, 1, 0});
-}
-
 // Within a cell the points are uniform: the mean place of 1000 n of them is 1/2 within 5 standard errors, sqrt(1/12)
 // over the root of their number.
 TEST_CASE("stratified directions have a random point in each of n cells of equal area, which are rotated at random") {

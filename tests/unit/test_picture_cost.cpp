@@ -1,9 +1,6 @@
 #include "experiments/reports.h"
 #include "test.h"
 
-#include <chrono>
-#include <thread>
-
 static Image even_picture(int size) {
     Image image(size, size);
     image.pixels.assign(image.pixels.size(), {1, 1, 1});
@@ -35,26 +32,19 @@ TEST_CASE("a picture is compared over 16 seeds, 64 where pixels share one rule, 
 }
 
 // Pictures of 4 x 4 pixels are compared; those of 1 and of 64 x 64 are timed.
-TEST_CASE("times are of one processor, of the rules and a million pixels of objects, and of many calls") {
+TEST_CASE("times are of one processor, of the rules and of a picture") {
     const EnvironmentMap map = even_map(4, 3, 1);
     PictureCost picture = compared_picture(map, Method::mc, 1, {});
     picture.settings.threads = 2;
-    std::set<std::size_t> threads;
-    int calls = 0, whole = 0;
+    std::set<std::pair<int, std::size_t>> timed;
     picture.image = [&](const RenderSettings& settings) {
-        if (settings.width != 4) threads.insert(settings.threads);
-        const int rules = 3, milliseconds = settings.width == 1 ? rules : settings.width == 64 ? whole : 0;
-        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+        if (settings.width != 4) timed.emplace(settings.width, settings.threads);
         return even_picture(settings.width);
     };
     CostSettings costs;
     costs.size = 4;
-    CHECK(measured_picture(picture, 1, costs, even_picture(4)).seconds_per_megapixel >= 3e-3);
-    whole = 20;  // two thirds of the pixels show objects: 17 ms for 2720
-    CHECK(measured_picture(picture, 1, costs, even_picture(4)).seconds_per_megapixel > 5);
-    CHECK(threads == std::set<std::size_t>{1});
-    for (int i = 0; i < 3; ++i) time_call([&] { ++calls; });
-    CHECK(calls > 300);
+    measured_picture(picture, 1, costs, even_picture(4));
+    CHECK(timed == std::set<std::pair<int, std::size_t>>{{1, 1}, {64, 1}});
 }
 
 TEST_CASE("a light that reaches nothing has no errors to compare") {
