@@ -4,7 +4,6 @@
 # make references   rewrites these, or with ONLY='pool*' some: only when the output is meant to change
 # make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
-# make mutations    whether the tests notice the breaks of the product that tests/slow/mutations.txt lists
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers
 # make threads      pictures by seven threads, compiled by clang++ with its sanitizer of threads
@@ -14,7 +13,7 @@
 # make syntax       whether each source and header compiles alone: by CXX, clang++ with libc++, at its strictest
 # make format-check whether clang-format would change a source (the lines of smallbmc.cpp are set by hand)
 
-.PHONY: test unit programs sources references handout grade mutations portability sanitizers threads fuzz
+.PHONY: test unit programs sources references handout grade portability sanitizers threads fuzz
 .PHONY: figures seconds format-check syntax
 
 # All unit tests are one source, which reads each header once; they take longer to compile than to run. So are, where
@@ -33,8 +32,8 @@ $(BUILD)/unit_tests: $(BUILD)/unit_sources.o $(COMMON)
 
 $(BUILD)/compare: $(BUILD)/tests/output/compare.o
 $(BUILD)/check_tasks: $(BUILD)/tests/course/check_tasks.o
-$(addprefix $(BUILD)/,fuzz exercise two_strategies base_code): $(BUILD)/%: $(BUILD)/tests/slow/%.o
-$(addprefix $(BUILD)/,compare check_tasks fuzz exercise two_strategies base_code): $(COMMON)
+$(BUILD)/fuzz: $(BUILD)/tests/slow/fuzz.o
+$(addprefix $(BUILD)/,compare check_tasks fuzz): $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 
 # The sources of other goals are compiled as well, but to nothing: a change that breaks one is noticed at once.
@@ -62,13 +61,11 @@ SUBMISSION = .
 grade:
 	BUILD=$(BUILD) CXX="$(CXX)" bash tests/course/grade "$(SUBMISSION)"
 
-mutations:
-	bash tests/slow/mutations
-
 portability: all $(BUILD)/compare
 	BUILD=$(BUILD) bash tests/slow/portability
 
 SANITIZED = $(BUILD)/sanitizers
+sanitizers: export UBSAN_OPTIONS = halt_on_error=1
 sanitizers:
 	$(MAKE) CXX=clang++ $(ONE_SOURCE) BUILD=$(SANITIZED) BIN=$(SANITIZED) \
 	    CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined,float-cast-overflow" \
