@@ -12,8 +12,8 @@
 #include <string>
 
 namespace bmc {
-// What read(stream) makes of the bytes of a file, or of standard input if the name is "-". Throws std::runtime_error:
-// one line that begins with the name. hint: what follows the system's words if the file cannot be opened.
+// What read(stream) makes of the bytes of a file, or of standard input if the name is "-". Throws std::runtime_error
+// with one line, which begins with the name. If the file cannot be opened, it ends with the hint.
 template <class Read>
 auto read_file(const std::string& name, Read read, const std::string& hint = "") {
     std::ios::sync_with_stdio(false);  // so that std::cin, like a file, throws if it cannot be read

@@ -1,5 +1,5 @@
-// What the programs share: options by getopt_long, exit statuses and standard output. A mistake of the caller is a
-// std::invalid_argument: what was given, what is allowed.
+// What the programs share: options by getopt_long, exit statuses and standard output. A mistake of the caller throws
+// std::invalid_argument, which says what was given and what is allowed.
 #pragma once
 
 #include "base/formatted.h"
@@ -42,8 +42,8 @@ struct Options {
     Option& named(const std::string& name);  // the one of this name
     void replace(Option option) { named(option.name) = std::move(option); }
 
-    // Adds one that sets a text, a switch, a number from low to high, or a value that has a name. The description ends
-    // with what it is by default, if that is not empty.
+    // Adds an option that sets a text, a switch, a number from low to high, or a value that has a name. The description
+    // ends with the default, if that is not empty.
     void add(const char* name, const char* argument, const std::string& description, std::string& text);
     void add(const char* name, const char* description, bool& given);
     template <class Number>
@@ -70,7 +70,7 @@ void add_model_options(Options& options, ModelSettings& settings);
 inline constexpr const char* known_remark =
     ": known part of the integrand; a cosine placement makes it cosine unless given";
 
-// Adds samples: a list such as 10,20,40, each at most max_process_samples.
+// Adds the option samples, which takes a list such as 10,20,40; each number is at most max_process_samples.
 void add_sample_list(Options& options, std::vector<std::size_t>& samples);
 
 // What a program can be asked for.

@@ -90,8 +90,8 @@ std::vector<PictureCost> compared_pictures(const EnvironmentMap& light);
 // The settings of a row: with these samples and the size. The row's pictures have the seeds that follow this one.
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples);
 
-// The row with this number of samples. Throws std::runtime_error if nothing is lit in the truth: then there is nothing
-// to compare.
+// The same way with this number of samples, and its errors. Throws std::runtime_error if nothing is lit in the truth:
+// then there is nothing to compare.
 PictureCost measured_picture(PictureCost picture, std::size_t samples, const CostSettings& costs, const Image& truth);
 
 // A line for each picture, and above them the names of the columns; the first pictures are classic Monte Carlo's.
@@ -120,8 +120,8 @@ struct TradeoffReport : PictureReport {
     std::string table(const std::string& name, const EnvironmentMap& light) const override;
 };
 
-// models: which covariance and which noise the scene requires. By the error, which needs the truth, by the evidence,
-// which does not, and by the error that a process predicts.
+// models: which covariance and which noise the scene requires. It compares their errors, which takes the truth, their
+// evidence, which does not, and the errors that they predict.
 struct ModelsReport : Experiment {
     std::string environment = built_in_lights[0];
     std::size_t samples = 40;

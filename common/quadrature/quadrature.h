@@ -52,7 +52,7 @@ QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::ve
 // The cosine goes into the weights, unless it is there already.
 QuadratureRule cosine_rule(QuadratureRule rule);
 
-// Add a covariance here and to the table; the compiler then names the place in make_covariance.
+// Add a covariance here and to the table; the compiler then asks for its case in make_covariance.
 enum class CovarianceFamily { sobolev, squared_exponential };
 inline constexpr const char* covariance_names[] = {"sobolev", "squared-exponential"};
 
