@@ -51,7 +51,12 @@ struct LightFile : Experiment {
     std::string environment = built_in_lights[0];
 
     void add_options(Options& options) override { options.add("environment", "FILE", environment_help(), environment); }
-    std::string report() const override;
+    std::string report() const override {
+        const EnvironmentMap map = load_environment(environment);
+        Image image(map.width, map.height);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = map.colour(static_cast<int>(i) + 1);
+        return encode(image, Format::pfm);
+    }
 };
 
 // The seconds of one call: the fewest of at least four calls, and of as many as take 8 ms.
