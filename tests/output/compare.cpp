@@ -8,12 +8,11 @@
 #include "difference.h"
 
 #include "base/input.h"
-#include "command_line/command_line.h"
 
 #include <cstdio>
 #include <iterator>
 
-static std::string content_of(const char* name) {
+static std::string bytes_of(const char* name) {
     return bmc::read_file(name, [](std::istream& in) { return std::string(std::istreambuf_iterator<char>(in), {}); });
 }
 
@@ -26,8 +25,7 @@ int main(int argc, char** argv) {
         const double tolerance = with_value               ? bmc::parse_real(option.substr(11), 0, 1e9)
                                  : option == "--tolerant" ? 1e-3
                                                           : 0;
-        const std::string words =
-            difference(content_of(argv[argc - 2]), content_of(argv[argc - 1]), tolerance, objects);
+        const std::string words = difference(bytes_of(argv[argc - 2]), bytes_of(argv[argc - 1]), tolerance, objects);
         if (words.empty()) return 0;
         std::printf("%s\n", words.c_str());
         return 1;

@@ -1,193 +1,214 @@
-// What differs between an output and its reference, word by word: the words of a text, or the numbers of a picture, a
-// PPM, a PFM or a Radiance picture.
+// What differs between an output and its reference: the words of a text, or the numbers of a picture, a PPM (P3, P6), a
+// PFM (PF) or a Radiance picture.
 #pragma once
 
+#include "command_line/command_line.h"
 #include "experiments/reports.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
-struct Words {
-    std::vector<std::string> all;       // of a picture three for each pixel, row after row, the top one first
-    std::vector<std::size_t> lines;     // of a text: where each word stands
+struct Content {
+    std::string text;                   // unless it is a picture
     std::size_t width = 0, height = 0;  // of a picture
     double white = 0;                   // its largest code; 0 for floats
+    std::vector<float> numbers;         // three for each pixel, row after row, the top one first
 
-    bool is_picture() const { return width > 0; }
     std::string kind() const {
-        if (!is_picture()) return "no picture";
-        return bmc::formatted("%zu x %zu, ", width, height) +
-               (white > 0 ? bmc::formatted("codes up to %g", white) : "floats");
+        const std::string numbers_are = white > 0 ? bmc::formatted("codes up to %g", white) : "floats";
+        return width > 0 ? bmc::formatted("%zu x %zu, ", width, height) + numbers_are : "no picture";
     }
     double light(std::size_t i) const {  // linear
-        const double number = std::strtod(all[i].c_str(), nullptr);
-        return white > 0 ? bmc::srgb_to_linear(number / white) : number;
+        return white > 0 ? bmc::srgb_to_linear(static_cast<double>(numbers[i]) / white) : numbers[i];
     }
 };
 
-// The float of a PFM at this place. The sign of the scale says which byte comes first, whatever this machine does.
-inline double float_at(const std::string& bytes, std::size_t at, double scale) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-        word = word << 8 | static_cast<unsigned char>(bytes[scale < 0 ? at + 3 - k : at + k]);
-    return std::fabs(scale) * static_cast<double>(bmc::portable::bit_cast<float>(word));
-}
-
-inline bool is_pnm(const std::string& bytes) {
-    return bytes.compare(0, 2, "P3") == 0 || bytes.compare(0, 2, "P6") == 0 || bytes.compare(0, 2, "PF") == 0;
-}
-
-// The header of a PPM has four words, and may have comments, such as GIMP's: lines that begin with #.
-inline std::string without_comments(std::string bytes) {
-    const auto is_space = [&](std::size_t i) { return std::isspace(static_cast<unsigned char>(bytes[i])) != 0; };
-    for (std::size_t i = 2, words = 1; is_pnm(bytes) && words < 4 && i < bytes.size();)
-        if (bytes[i] == '#' && is_space(i - 1)) {
-            bytes.erase(i, bytes.find('\n', i) - i + 1);
-        } else {
-            if (is_space(i - 1) && !is_space(i)) ++words;
-            ++i;
-        }
-    return bytes;
-}
-
-// Of a PPM (P6, or P3, its text form), or of a PFM (PF). Throws std::runtime_error unless it is complete.
-inline Words words_of_picture(const std::string& bytes) {
-    Words words;
-    std::istringstream in(bytes);
-    std::string magic, word, rest;
-    double top = 0;  // the largest code; of a PFM a factor
-    in >> magic >> words.width >> words.height >> top;
-    if (in.get() >= 0) rest = bytes.substr(static_cast<std::size_t>(in.tellg()));
-    const std::size_t row = 3 * words.width;
-    const std::size_t count = std::max(words.width, words.height) < 65536 ? row * words.height : 0;
-    if (magic == "PF" && rest.size() == 4 * count)
-        for (std::size_t i = 0; i < count; ++i)  // from the bottom row up
-            words.all.push_back(
-                bmc::formatted("%.9g", float_at(rest, 4 * ((words.height - 1 - i / row) * row + i % row), top)));
-    if (magic != "PF") words.white = top;
-    const auto code = [&](std::size_t i) { return static_cast<unsigned char>(rest[i]); };
-    if (magic == "P6" && top > 255)
-        for (std::size_t i = 0; i + 1 < rest.size(); i += 2)
-            words.all.push_back(std::to_string(256 * code(i) + code(i + 1)));
-    else if (magic == "P6")
-        for (std::size_t i = 0; i < rest.size(); ++i) words.all.push_back(std::to_string(code(i)));
-    if (magic == "P3")
-        while (in >> word) words.all.push_back(word);
-    if (words.all.size() != count || count == 0)
-        throw std::runtime_error("a picture of " + words.kind() +
-                                 ", which ends early or late (was it written in text mode?)");
-    return words;
-}
-
-inline Words words_of_radiance(const bmc::EnvironmentMap& map) {
-    Words words;
-    words.width = static_cast<std::size_t>(map.width), words.height = static_cast<std::size_t>(map.height);
-    for (int i = 0; i < map.width * map.height; ++i) {
-        const bmc::Colour colour = map.colour(map.index(i % map.width, i / map.width));
-        for (const double channel : {colour.x, colour.y, colour.z})
-            words.all.push_back(bmc::formatted("%.9g", channel));
+// The word of a PPM or PFM that begins at this place or later; empty at the end. The place is then behind it. A
+// comment, from # to the end of a line, ends a word as white space does.
+inline std::string next_word(const std::string& bytes, std::size_t& at) {
+    std::string word;
+    for (; at < bytes.size(); ++at) {
+        if (bytes[at] == '#') at = std::min(bytes.find('\n', at), bytes.size() - 1);
+        if (std::isspace(static_cast<unsigned char>(bytes[at])) == 0)
+            word += bytes[at];
+        else if (!word.empty())
+            break;
     }
-    return words;
+    return word;
+}
+
+inline double number_of(const std::string& word, const std::string& name, double low, double high) {
+    try {
+        return bmc::parse_real(word.substr(0, 20), low, high);
+    } catch (const std::invalid_argument& error) {
+        throw std::runtime_error("the " + name + " " + error.what());
+    }
+}
+
+// Of a PPM or a PFM. Codes have one byte, or two if 255 is not the largest; floats have four, the last one first if the
+// scale is negative, whatever this machine does, and begin with the bottom row.
+inline Content picture_of(const std::string& bytes) {
+    Content picture;
+    std::size_t at = 2;
+    const bool floats = bytes[1] == 'F', plain = bytes[1] == '3';
+    picture.width = static_cast<std::size_t>(number_of(next_word(bytes, at), "width", 1, 65535));
+    picture.height = static_cast<std::size_t>(number_of(next_word(bytes, at), "height", 1, 65535));
+    const double top = number_of(next_word(bytes, at), floats ? "scale" : "largest code", floats ? -1e9 : 1, 65535);
+    if (!floats) picture.white = top;
+    const std::size_t row = 3 * picture.width, count = row * picture.height;
+    const std::size_t size = floats ? 4 : top > 255 ? 2 : 1, begin = at + 1, end = begin + size * count;
+    if (plain)
+        for (std::string word; !(word = next_word(bytes, at)).empty();)
+            picture.numbers.push_back(static_cast<float>(number_of(word, "code", 0, top)));
+    else if (bytes.size() == end)
+        picture.numbers.resize(count);
+    if (picture.numbers.size() != count)
+        throw std::runtime_error("a picture of " + picture.kind() + ", " +
+                                 (bytes.compare(std::min(end, bytes.size()), 2, bytes, 0, 2) == 0
+                                      ? "and another one behind it"
+                                      : "which ends early or late (was it written in text mode?)"));
+    for (std::size_t i = 0; i < count && !plain; ++i) {
+        const std::size_t from = begin + size * (floats ? (picture.height - 1 - i / row) * row + i % row : i);
+        std::uint32_t word = 0;
+        for (std::size_t k = 0; k < size; ++k)
+            word = word << 8 | static_cast<unsigned char>(bytes[from + (top < 0 ? size - 1 - k : k)]);
+        picture.numbers[i] = floats ? static_cast<float>(std::fabs(top)) * bmc::portable::bit_cast<float>(word)
+                                    : static_cast<float>(word);
+    }
+    return picture;
+}
+
+inline Content radiance_of(const std::string& bytes) {
+    std::istringstream in(bytes);
+    const bmc::EnvironmentMap map = bmc::read_radiance_hdr(in);
+    Content picture;
+    picture.width = static_cast<std::size_t>(map.width), picture.height = static_cast<std::size_t>(map.height);
+    for (int i = 1; i <= map.width * map.height; ++i)
+        for (const double channel : {map.colour(i).x, map.colour(i).y, map.colour(i).z})
+            picture.numbers.push_back(static_cast<float>(channel));
+    return picture;
 }
 
 // Throws std::runtime_error with what there is, if it cannot be read.
-inline Words words_of(const std::string& bytes) {
-    const auto begins = [&](const std::string& with) { return bytes.compare(0, with.size(), with) == 0; };
-    std::istringstream in(begins("\xEF\xBB\xBF") ? bytes.substr(3) : bytes);  // without a byte order mark
-    if (is_pnm(bytes)) return words_of_picture(bytes);
-    if (begins("#?")) return words_of_radiance(bmc::read_radiance_hdr(in));
+inline Content content_of(std::string bytes) {
+    const auto begins = [&](const char* with) { return bytes.compare(0, std::strlen(with), with) == 0; };
+    if (begins("P3") || begins("P6") || begins("PF")) return picture_of(bytes);
+    if (begins("#?")) return radiance_of(bytes);
     if (begins("\xFF\xFE")) throw std::runtime_error("a text in UTF-16, as PowerShell's > writes it");
     if (bytes.find('\0') != bytes.npos)
         throw std::runtime_error("neither a text nor a picture that can be read: P3 or P6 (PPM), PF (PFM), Radiance");
-    Words words;
-    std::size_t number = 1;
-    for (std::string line, word; std::getline(in, line); ++number)
-        for (std::istringstream columns(line); columns >> word; words.lines.push_back(number))
-            words.all.push_back(word);
-    return words;
+    Content text;
+    text.text = std::move(bytes);
+    return text;
 }
 
-// Whether a word may stand in the place of the reference's: a number, with what follows it ("0.5;"), that differs by at
-// most the relative tolerance plus 1e-9.
+// Whether a number may stand in the place of the reference's: within the relative tolerance plus 1e-9 if there is one.
+// What is not a number has no sign.
+inline bool agree(double reference, double actual, double tolerance) {
+    if (std::isnan(reference)) return std::isnan(actual);
+    if (tolerance == 0 || std::isinf(reference)) return reference == actual;
+    return std::fabs(reference - actual) <= tolerance * std::fabs(reference) + 1e-9;
+}
+
+// The same of words: with a tolerance numbers, with the same behind them ("0.5;").
 inline bool agree(const std::string& reference, const std::string& actual, double tolerance) {
     if (reference == actual || tolerance == 0) return reference == actual;
     char *end_a = nullptr, *end_b = nullptr;
     const double a = std::strtod(reference.c_str(), &end_a), b = std::strtod(actual.c_str(), &end_b);
     return end_a != reference.c_str() && end_b != actual.c_str() && std::string(end_a) == end_b &&
-           std::fabs(a - b) <= tolerance * std::fabs(a) + 1e-9;
+           agree(a, b, tolerance);
 }
 
-// Of pixels, which begin at these words: the error of their linear light, and of its mean.
-inline std::string errors_of(const Words& reference, const Words& actual, const std::vector<std::size_t>& pixels) {
+struct Word {
+    std::string text = "nothing";
+    std::size_t line = 0;
+};
+
+inline std::vector<Word> words_of(const std::string& text) {
+    std::istringstream in(text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text);  // a byte order mark
+    std::vector<Word> words;
+    std::size_t number = 1;
+    for (std::string line, word; std::getline(in, line); ++number)
+        for (std::istringstream columns(line); columns >> word;) words.push_back({word, number});
+    return words;
+}
+
+inline std::string text_difference(const std::string& reference, const std::string& actual, double tolerance) {
+    if (reference == actual) return "";
+    std::vector<Word> expected = words_of(reference), found = words_of(actual);
+    const std::size_t all = std::max(expected.size(), found.size());
+    expected.resize(all), found.resize(all);
+    std::vector<std::size_t> differing;
+    for (std::size_t i = 0; i < all; ++i)
+        if (!agree(expected[i].text, found[i].text, tolerance)) differing.push_back(i);
+    if (differing.empty()) return tolerance > 0 ? "" : "no word differs, but white space or a byte order mark";
+    const Word &a = expected[differing[0]], &b = found[differing[0]];
+    return bmc::formatted("line %zu: reference %s, here %s; %zu of %zu words differ", std::max(a.line, b.line),
+                          a.text.c_str(), b.text.c_str(), differing.size(), all);
+}
+
+// With the error of the linear light of the pixels that differ, and of its mean. Codes have no tolerance.
+inline std::string picture_difference(const Content& reference, const Content& actual, double tolerance) {
+    const auto same = [&](std::size_t i) {
+        return agree(reference.numbers[i], actual.numbers[i], reference.white > 0 ? 0 : tolerance);
+    };
+    const std::size_t all = reference.width * reference.height;
+    std::size_t first = 0, differing = 0;  // the first number; pixels
     double squares = 0, sum = 0, expected = 0;
-    for (const std::size_t pixel : pixels)
+    for (std::size_t pixel = 0; pixel < 3 * all; pixel += 3) {
+        if (same(pixel) && same(pixel + 1) && same(pixel + 2)) continue;
+        if (differing++ == 0)
+            for (first = pixel; same(first);) ++first;
         for (std::size_t i = pixel; i < pixel + 3; ++i) {
-            const double error = actual.light(i) - reference.light(i);
+            const double light = reference.light(i), error = actual.light(i) - light;
             squares += error * error;
             sum += error;
-            expected += reference.light(i);
+            expected += light;
         }
-    if (!std::isfinite(squares / expected)) return "";
-    return bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%",
-                          std::sqrt(squares / (3 * static_cast<double>(pixels.size()))), 100 * sum / expected);
+    }
+    if (differing <= (tolerance > 0 ? all / 1000 : 0)) return "";
+    const std::string text = bmc::formatted("pixel (x %zu, y %zu): reference %.9g, here %.9g; %zu of %zu pixels differ",
+                                            first / 3 % reference.width, first / 3 / reference.width,
+                                            reference.numbers[first], actual.numbers[first], differing, all);
+    if (!std::isfinite(squares / expected)) return text;
+    return text + bmc::formatted("; there the RMSE is %.3g, the brightness is off by %+.1f %%",
+                                 std::sqrt(squares / (3 * static_cast<double>(differing))), 100 * sum / expected);
 }
 
-inline bmc::Image image_of(const Words& words) {
-    bmc::Image image(static_cast<int>(words.width), static_cast<int>(words.height));
+inline bmc::Image image_of(const Content& picture) {
+    bmc::Image image(static_cast<int>(picture.width), static_cast<int>(picture.height));
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = {words.light(3 * i), words.light(3 * i + 1), words.light(3 * i + 2)};
+        image.pixels[i] = {picture.light(3 * i), picture.light(3 * i + 1), picture.light(3 * i + 2)};
     return image;
 }
 
 // The errors of a picture of the sphere scene over the pixels that show an object, in words.
-inline std::string object_errors(const Words& reference, const Words& actual) {
+inline std::string object_errors(const Content& reference, const Content& actual) {
     const bmc::ImageError error = bmc::image_error(image_of(actual), image_of(reference));
     if (!std::isfinite(error.rmse * error.brightness)) return "no light is reflected by objects";
     return bmc::formatted(
-        "over objects the RMSE is %.3g, the brightness is off by %+.1f %%, and neighbours' errors "
-        "correlate by %.2f",
+        "over objects the RMSE is %.3g, the brightness is off by %+.1f %%, and neighbours' errors correlate by %.2f",
         error.rmse, 100 * error.brightness, error.correlation);
 }
 
-// In words; empty if nothing differs. With a tolerance (which codes do not have) one pixel in a thousand may differ,
-// and white space. Without one all bytes are the same, but for comments in a picture's header. With objects pictures of
-// one size are compared by their errors over objects alone, whatever their kinds. Throws std::runtime_error if the
-// reference cannot be read.
-inline std::string difference(const std::string& reference, const std::string& actual, double tolerance,
-                              bool objects = false) {
-    if (without_comments(reference) == without_comments(actual)) return "";
-    Words expected, found;
+// In words; empty if nothing differs: of texts no byte, of pictures no number. With a tolerance (which codes do not
+// have) one pixel in a thousand may differ, and white space. With objects pictures of one size are compared by their
+// errors over objects alone, whatever their kinds. Throws std::runtime_error if the reference cannot be read.
+inline std::string difference(std::string reference, std::string actual, double tolerance, bool objects = false) {
+    Content expected, found;
+    bool here = false;
     try {
-        expected = words_of(without_comments(reference));
+        expected = content_of(std::move(reference));
+        here = true;
+        found = content_of(std::move(actual));
     } catch (const std::runtime_error& error) {
+        if (here) return std::string("here: ") + error.what();
         throw std::runtime_error(std::string("the reference: ") + error.what());
     }
-    try {
-        found = words_of(without_comments(actual));
-    } catch (const std::runtime_error& error) {
-        return std::string("here: ") + error.what();
-    }
-    const bool text = !expected.is_picture(), codes = expected.white > 0;
-    if (objects && !text && expected.width == found.width && expected.height == found.height)
+    if (objects && expected.width > 0 && expected.width == found.width && expected.height == found.height)
         return object_errors(expected, found);
     if (objects || expected.kind() != found.kind()) return "reference: " + expected.kind() + ", here: " + found.kind();
-    const std::size_t step = text ? 1 : 3, all = std::max(expected.all.size(), found.all.size());
-    const auto word = [](const Words& words, std::size_t i) { return i < words.all.size() ? words.all[i] : "nothing"; };
-    const auto same = [&](std::size_t i) { return agree(word(expected, i), word(found, i), codes ? 0 : tolerance); };
-    std::vector<std::size_t> differing;  // words of a text, or pixels
-    for (std::size_t i = 0; i < all; i += step)
-        if (!same(i) || (!text && !(same(i + 1) && same(i + 2)))) differing.push_back(i);
-    if (differing.size() <= (tolerance > 0 && !text ? all / step / 1000 : 0))
-        return tolerance > 0 ? "" : "no word differs, but white space, a byte order mark, or the form of the numbers";
-    std::size_t i = differing[0];
-    const std::string place =
-        text ? bmc::formatted("line %zu", (i < expected.lines.size() ? expected : found).lines[i])
-             : bmc::formatted("pixel (x %zu, y %zu)", i / 3 % expected.width, i / 3 / expected.width);
-    while (same(i)) ++i;
-    return place + ": reference " + word(expected, i) + ", here " + word(found, i) +
-           bmc::formatted("; %zu of %zu %s differ", differing.size(), all / step, text ? "words" : "pixels") +
-           (text ? "" : errors_of(expected, found, differing));
+    return expected.width > 0 ? picture_difference(expected, found, tolerance)
+                              : text_difference(expected.text, found.text, tolerance);
 }
