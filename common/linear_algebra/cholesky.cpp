@@ -2,6 +2,8 @@
 
 #include "base/formatted.h"
 
+#include <algorithm>
+
 namespace bmc {
 // A pivot is a_mm minus m products. If it is smaller than m + 1 rounding errors of a_mm, it may be rounding error
 // alone. The comparison refuses nan as well.
@@ -16,18 +18,33 @@ double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double 
 }
 
 // BEGIN SOLUTION inverse
-// As soon as row m of U is known, its products u_mi u_mj are subtracted from all rows i below. So when the turn of row
-// i comes, it holds what is left of A. The innermost loop runs along a row. U takes the place of A.
+// As soon as row m of U is known, its products u_mi u_mj are subtracted from the rows i below. So when the turn of row
+// i comes, it holds what is left of A. U takes the place of A. The innermost loops run along rows. What is below a block
+// of eight rows waits until all eight are known: then each element comes from memory once for eight products. Their
+// order, and with it each rounding, stays the same.
 static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
+    constexpr std::size_t block = 8;
     const std::size_t n = a.rows;
     Matrix u = std::move(a);
-    for (std::size_t m = 0; m < n; ++m) {
-        u(m, m) = root_of_pivot(diagonal, m, u(m, m));
-        for (std::size_t j = m + 1; j < n; ++j) u(m, j) /= u(m, m);
-        for (std::size_t i = m + 1; i < n; ++i) {
-            const double multiple = u(m, i);
-            u(i, m) = 0;
-            for (std::size_t j = i; j < n; ++j) u(i, j) -= multiple * u(m, j);
+    for (std::size_t begin = 0; begin < n; begin += block) {
+        const std::size_t end = std::min(begin + block, n);
+        for (std::size_t m = begin; m < end; ++m) {
+            std::fill(&u(m, 0), &u(m, m), 0.0);
+            u(m, m) = root_of_pivot(diagonal, m, u(m, m));
+            for (std::size_t j = m + 1; j < n; ++j) u(m, j) /= u(m, m);
+            for (std::size_t i = m + 1; i < end; ++i) {
+                const double multiple = u(m, i);
+                for (std::size_t j = i; j < n; ++j) u(i, j) -= multiple * u(m, j);
+            }
+        }
+        for (std::size_t i = end; i < n; ++i) {
+            double multiples[block];
+            for (std::size_t k = 0; k < block; ++k) multiples[k] = u(begin + k, i);
+            for (std::size_t j = i; j < n; ++j) {
+                double left = u(i, j);
+                for (std::size_t k = 0; k < block; ++k) left -= multiples[k] * u(begin + k, j);
+                u(i, j) = left;
+            }
         }
     }
     return u;
@@ -63,15 +80,21 @@ std::vector<double> Cholesky::solve(std::vector<double> b) const {
 }
 
 // BEGIN SOLUTION inverse
+// All columns at once, each as in solve: first G with U^T G = 1, which is zero above its diagonal, then U X = G.
 Matrix Cholesky::inverse() const {
-    Matrix inverse(size(), size());
-    for (std::size_t j = 0; j < size(); ++j) {
-        std::vector<double> e(size());
-        e[j] = 1;
-        const std::vector<double> column = solve(std::move(e));
-        for (std::size_t i = 0; i < size(); ++i) inverse(i, j) = column[i];
+    Matrix x(size(), size());
+    for (std::size_t m = 0; m < size(); ++m) {
+        x(m, m) = 1;
+        for (std::size_t k = 0; k <= m; ++k) x(m, k) /= upper(m, m);
+        for (std::size_t j = m + 1; j < size(); ++j)
+            for (std::size_t k = 0; k <= m; ++k) x(j, k) -= upper(m, j) * x(m, k);
     }
-    return inverse;
+    for (std::size_t m = size(); m-- > 0;) {
+        for (std::size_t j = size() - 1; j > m; --j)
+            for (std::size_t k = 0; k < size(); ++k) x(m, k) -= upper(m, j) * x(j, k);
+        for (std::size_t k = 0; k < size(); ++k) x(m, k) /= upper(m, m);
+    }
+    return x;
 }
 // END SOLUTION
 }  // namespace bmc

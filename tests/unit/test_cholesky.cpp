@@ -61,6 +61,20 @@ TEST_CASE("U^T U = A, A x = b, A A^-1 = I and |y|^2 = b^T A^-1 b but for a few r
     }
 }
 
+// Blocks end at multiples of eight. Another order of the sum has other bits.
+TEST_CASE("the factor has the bits of the formula, summed from the first row on, at every number of rows") {
+    for (std::size_t n = 1; n < 34; ++n) {
+        Matrix u = nearly_singular(n, n);
+        const Cholesky cholesky(u);
+        for (std::size_t m = 0; m < n; ++m)
+            for (std::size_t j = m; j < n; ++j) {
+                for (std::size_t i = 0; i < m; ++i) u(m, j) -= u(i, m) * u(i, j);
+                u(m, j) = j == m ? std::sqrt(u(m, m)) : u(m, j) / u(m, m);
+                CHECK(u(m, j) == cholesky.upper(m, j));
+            }
+    }
+}
+
 TEST_CASE("a matrix that is not positive definite is refused, with its size and the pivot") {
     const auto refusal = [](const Matrix& a) { return message_of([&] { Cholesky{a}; }); };
     Matrix a(2, 2);
