@@ -118,10 +118,12 @@ std::string Belief::report() const {
     print_estimate(process, values, reference_integral(incident),
                    std::sqrt(reference_integral(square) / known_integral(covariance->known_part())));
     Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Colour>(samples)};
-    const Matrix inverse = process.inverse_covariance();
-    for (std::size_t j = 0; j < samples; ++j)
-        for (std::size_t i = 0; i < samples; ++i)
-            posterior.coefficients[i] += inverse(i, j) * view.light(process.directions[j]);
+    for (double Colour::*channel : {&Colour::x, &Colour::y, &Colour::z}) {
+        std::vector<double> light;
+        for (const Vec3& direction : process.directions) light.push_back(view.light(direction).*channel);
+        light = process.cholesky.solve(std::move(light));
+        for (std::size_t j = 0; j < samples; ++j) posterior.coefficients[j].*channel = light[j];
+    }
     return encode(discs(view, posterior), Format::ppm);
 }
 }  // namespace bmc
