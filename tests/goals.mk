@@ -9,7 +9,7 @@
 # make threads      pictures by seven threads, compiled by clang++ with its sanitizer of threads
 # make fuzz         FUZZ_SECONDS of made-up files and options, by clang++'s libFuzzer
 # make figures      draws the figures of the pages from the programs' output
-# make seconds      measures the times that two of the figures show: on a quiet machine
+# make seconds      measures the times that two of the figures show, on a quiet machine, and errors under the light MAP
 # make syntax       whether each source and header compiles alone: by CXX, clang++ with libc++, at its strictest
 # make format-check whether clang-format would change a source (the lines of smallbmc.cpp are set by hand)
 
@@ -93,7 +93,7 @@ fuzz:
 	    -artifact_prefix=$(FUZZ)/ -verbosity=0 -print_final_stats=1
 
 figures seconds: all $(BUILD)/compare
-	BUILD=$(BUILD) BIN=$(BIN) bash tests/figures/draw $(if $(filter seconds,$@),--seconds)
+	BUILD=$(BUILD) BIN=$(BIN) bash tests/figures/draw $(if $(filter seconds,$@),--seconds "$(MAP)")
 
 # Each source, and each header that is not the first include of a source, where clang-format puts the source's own.
 # libc++ includes fewer of its headers than others do, without these.
