@@ -98,9 +98,13 @@ static inline Colour desert_colour(Colour colour, Vec3 d) {
 
 // The light from a direction whose ground and sky have this colour.
 static inline Colour light_colour(BuiltInLight light, Colour colour, Vec3 d) {
-    if (light == BuiltInLight::black_and_white) return d.x > 0 ? Colour{1, 1, 1} : Colour{};
-    const bool bright = light == BuiltInLight::bright_desert;
-    return (bright ? 1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun)) : 1) * desert_colour(colour, d);
+    switch (light) {
+        case BuiltInLight::desert: return desert_colour(colour, d);
+        case BuiltInLight::bright_desert:
+            return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert_colour(colour, d);
+        case BuiltInLight::black_and_white: break;
+    }
+    return d.x > 0 ? Colour{1, 1, 1} : Colour{};
 }
 
 // The map of a light at the centres of texels.
