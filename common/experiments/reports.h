@@ -140,11 +140,20 @@ struct ModelsReport : Experiment {
 // be compared by it.
 double log_evidence(const GaussianProcess& process, const std::vector<double>& values);
 
+// n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
+// 1e-8 of one direction.
+enum class SampleSet { random, duplicates, equator, pole, cluster };
+inline constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
+std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
+
 // stability: where the arithmetic of a Gaussian process breaks. How many digits of its weights are right at the
 // extremes of the number of samples, the noise, the covariance and the sample set. Rotating all directions about the up
 // axis must not change a weight (covariance.h), nor must three times the covariance and the squared noise, but they
-// change every rounding error. The digits that stay the same are right.
+// change every rounding error. The digits that stay the same are right: a test compares them with weights of 128 bits.
 struct StabilityReport : Experiment {
+    std::vector<std::size_t> sample_counts{1, 2, 10, 100, 1000};  // of the random directions with Sobolev 3/2
+
+    void add_options(Options& options) override;
     std::string report() const override;
 };
 }  // namespace bmc

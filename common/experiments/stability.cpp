@@ -3,9 +3,6 @@
 #include "quadrature/quadrature.h"
 
 namespace bmc {
-enum class SampleSet { random, duplicates, equator, pole, cluster };
-constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
-
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
 
 struct Setting {
@@ -16,10 +13,10 @@ struct Setting {
 };
 
 // The sweeps: numbers of samples, covariances, sample sets.
-static std::vector<Setting> settings() {
+static std::vector<Setting> settings(const std::vector<std::size_t>& sample_counts) {
     constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
     std::vector<Setting> all;
-    for (const std::size_t n : {1u, 2u, 10u, 100u, 1000u}) all.push_back({SampleSet::random, n, sobolev, 1.5});
+    for (const std::size_t n : sample_counts) all.push_back({SampleSet::random, n, sobolev, 1.5});
     for (const double s : {1.001, 1.1, 1.25, 1.75, 1.9, 1.999}) all.push_back({SampleSet::random, 100, sobolev, s});
     for (const double l : {0.05, 0.2, 1.0, 5.0, 100.0, 1e6})
         all.push_back({SampleSet::random, 100, squared_exponential, l});
@@ -31,16 +28,14 @@ static std::vector<Setting> settings() {
 }
 
 // A covariance three times as large: its numbers round otherwise, and z is a sum where the third may have a closed
-// form. The step of that sum is too large for a small length-scale.
+// form.
 struct Threefold final : Covariance {
     const Covariance& third;
 
     explicit Threefold(const Covariance& covariance) : third(covariance) {}
     double k(double squared_chord) const override { return 3 * third.k(squared_chord); }
     double cap_mean(double b) const override { return 3 * third.cap_mean(b); }
-    double z(double cosine) const override {
-        return dynamic_cast<const SquaredExponential*>(&third) ? 3 * third.z(cosine) : Covariance::z(cosine);
-    }
+    double z(double cosine) const override { return z_by_caps(cosine, 0.125); }
 };
 
 // The decimal digits that are right, of the 16 of a double.
@@ -49,9 +44,7 @@ static int digits_of(double error) {
     return static_cast<int>(std::max(0.0, std::floor(-portable::log(error) / portable::log(10))));
 }
 
-// n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
-// 1e-8 of one direction.
-static std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
+std::vector<Vec3> sample_set(SampleSet set, std::size_t n) {
     Random random(1, n);
     std::vector<Vec3> directions = random_directions(n, random);
     for (std::size_t i = 0; i < n; ++i) {
@@ -96,6 +89,8 @@ static double difference(const std::vector<double>& weights, const std::vector<d
     return most / largest;
 }
 
+void StabilityReport::add_options(Options& options) { add_sample_list(options, sample_counts); }
+
 std::string StabilityReport::report() const {
     std::string text =
         R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
@@ -105,7 +100,7 @@ std::string StabilityReport::report() const {
 #                                                   digits at a noise of               gain at a noise of
 # set         samples covariance          parameter     1 0.01 1e-4 1e-6 1e-8 1e-12    0     0.01     1e-6        0
 )";
-    const std::vector<Setting> all = settings();
+    const std::vector<Setting> all = settings(sample_counts);
     Progress progress("rules", 4 * all.size());
     for (const auto& [set, samples, family, parameter] : all) {
         const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();

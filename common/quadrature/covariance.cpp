@@ -42,14 +42,15 @@ static double integral_over_angles(double step, Function f) {
 // and cos E = (1 - t^2) / (1 + t^2):
 //     b = (1 - 2 sigma cos E + sigma^2) / (1 - sigma cos E) = (1 + sigma) (q^4 + t^2) / (q^2 + t^2)
 // The appendix of common/README.md derives it, with a figure: great arcs from omega to the horizon cut H into narrow
-// sectors of caps around omega, and dE is the area of a sector. The step is in ln t; a length-scale below 1/2 needs a
-// smaller one.
-double Covariance::z(double cos_theta) const {
+// sectors of caps around omega, and dE is the area of a sector.
+double Covariance::z_by_caps(double cos_theta, double step) const {
     const PolarAngle theta(cos_theta);
     const double q2 = theta.q * theta.q;
     return 2 * integral_over_angles(
-                   0.25, [&](double t2) { return cap_mean((1 + theta.sigma) * (q2 * q2 + t2) / (q2 + t2)); });
+                   step, [&](double t2) { return cap_mean((1 + theta.sigma) * (q2 * q2 + t2) / (q2 + t2)); });
 }
+
+double Covariance::z(double cos_theta) const { return z_by_caps(cos_theta, 0.25); }
 
 // 4 pi times the integral of b M(b), b = 1 - cos(rho) = 2 t^2 / (1 + t^2), over rho from 0 to pi, t = tan(rho / 2).
 // common/README.md derives it.

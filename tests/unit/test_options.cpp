@@ -42,6 +42,7 @@ static std::vector<Trial> trials() {
         {"workbench belief", made<Belief>, "--samples=1" + squared, "length-scale"},
         {"workbench light", made<LightFile>, "", ""},
         {"workbench tradeoff", made<TradeoffReport>, "--no-times --size=4 --samples=3 " + light, ""},
+        {"workbench stability", made<StabilityReport>, "--samples=3", ""},
         {"workbench models", made<ModelsReport>, "--samples=3 " + light, ""},
         {"workbench known-light", made<beyond::KnownLightReport>, "--no-times --size=4 --samples=3 " + light, ""}};
 }
