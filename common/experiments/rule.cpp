@@ -3,6 +3,7 @@
 #include "base/input.h"
 
 #include <cstdlib>
+#include <numeric>
 #include <sstream>
 
 namespace bmc {
@@ -14,42 +15,77 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
+static double size_of(const std::vector<double>& v) {
+    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+}
+
+// About how far off rounding leaves a^T Q^-1 b, from A = Q^-1 a and B = Q^-1 b. What is rounded in Q and in its factor
+// acts like a matrix D that is added to Q: it changes this number by -A^T D B. The elements of D are about sqrt(n)
+// roundings of the largest element of Q, with random signs; four times that is rarely exceeded.
+static double rounding(const GaussianProcess& process, const std::vector<double>& A, const std::vector<double>& B) {
+    const double root = process.cholesky.upper(0, 0), n = static_cast<double>(A.size());
+    return 4 * DBL_EPSILON * std::sqrt(n) * root * root * size_of(A) * size_of(B);
+}
+
+// A number in those of its digits that are right, at most so many.
+static std::string right_digits(double number, double error, int most) {
+    int digits = 0;
+    for (double scaled = 10 * error; digits < most && !(scaled > std::fabs(number)); scaled *= 10) ++digits;
+    return digits > 0 ? formatted("%.*g", digits, number) : formatted("0 +- %.0e by rounding", error);
+}
+
+// The sum of weights times values.
+static std::string sum_of(const GaussianProcess& process, const std::vector<double>& values, int most) {
+    const double error = rounding(process, process.weights, process.cholesky.solve(values));
+    return right_digits(process.integral(values), error, most);
+}
+
 static std::string weights_block(const GaussianProcess& process, KnownPart p) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
+    const double integral = known_integral(p), gain = noise_gain({process.directions, process.weights, p});
+    const std::vector<double> ones(process.z.size(), 1), parts(process.z.size(), 1 / integral);
+    std::vector<double> white, squares;  // by which the weights sum to B, and to the gain^2 but for a factor
     int negative = 0;
-    double sum = 0;
     for (std::size_t i = 0; i < process.weights.size(); ++i) {
         const Vec3 omega = process.directions[i];
         const double weight = process.weights[i];
         text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", omega.x, omega.y, omega.z, process.z[i], weight);
         negative += weight < 0;
-        sum += weight;
+        white.push_back((p == KnownPart::cosine ? 1 : omega.y) / portable::pi);
+        squares.push_back(white[i] * white[i] * weight);
     }
-    const QuadratureRule rule{process.directions, process.weights, p};
-    const double integral = known_integral(p), ratio = sum / integral;
+    const double error = rounding(process, process.weights, process.cholesky.solve(squares));
     return text + formatted(
-                      R"(# The weights sum to %.6g, and the integral of %s is %.6g. The ratio %.4g would be 1 if the
+                      R"(# The weights sum to %s, and the integral of %s is %.6g. The ratio %s would be 1 if the
 # rule were exact for constants. Negative weights: %d.
-# A white scene would render with the brightness B = %.4g instead of 1. The weights amplify the errors
-# of samples %.3g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
+# A white scene would render with the brightness B = %s instead of 1. The weights amplify the errors
+# of samples %s times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 # 17 digits give back the same doubles; ./workbench stability tells how many of a weight's digits are right.
 )",
-                      sum, p == KnownPart::cosine ? "cos(theta)" : "1", integral, ratio, negative,
-                      white_brightness(rule), noise_gain(rule));
+                      sum_of(process, ones, 6).c_str(), p == KnownPart::cosine ? "cos(theta)" : "1", integral,
+                      sum_of(process, parts, 4).c_str(), negative, sum_of(process, white, 4).c_str(),
+                      right_digits(gain, gain * error / process.integral(squares), 3).c_str());
 }
 
 static std::string estimate_line(const GaussianProcess& process, KnownPart p, const std::vector<double>& values) {
-    const double estimate = process.integral(values), error = process.error_bar(values);
-    const double amplitude = process.amplitude(values);
-    if (!std::isfinite(amplitude) || std::isinf(error))
+    const double bar = process.error_bar(values), amplitude = process.amplitude(values);
+    if (!std::isfinite(amplitude) || std::isinf(bar))
         throw std::runtime_error("the values are too large for their squares; divide all by one number");
-    std::string bar = formatted("%.6g", error) +
-                      "\n# It knows what the samples have seen; a lamp that none of them met is not in it.";
-    if (std::isnan(error)) bar = "unknown: what is left of the variance may be rounding; more noise makes it larger";
-    if (amplitude == 0) bar = "unknown: the values are 0, or too small to be squared";
-    return formatted("# The integral of the values%s: estimate %.9g, amplitude %.6g, error bar ",
-                     p == KnownPart::cosine ? " times cos(theta)" : "", estimate, amplitude) +
-           bar + '\n';
+    // Half the relative errors of a^2 = Y^T Q^-1 Y / n and of V = zz - z^T Q^-1 z.
+    const std::vector<double> solved = process.cholesky.solve(values);
+    const double n = static_cast<double>(values.size()),
+                 of_amplitude = rounding(process, solved, solved) / (2 * n * amplitude) / amplitude,
+                 of_root = rounding(process, process.weights, process.weights) / (2 * process.variance);
+    const double bar_error = bar * (of_amplitude + of_root);
+    std::string bar_text = right_digits(bar, bar_error, 3) +
+                           "\n# It knows what the samples have seen; a lamp that none of them met is not in it.";
+    if (!(10 * bar_error <= bar))  // nor nan
+        bar_text = "unknown: what is left of the variance may be rounding; more noise makes it larger";
+    if (amplitude == 0) bar_text = "unknown: the values are 0, or too small to be squared";
+    return formatted("# The integral of the values%s: estimate %s, amplitude %s, error bar ",
+                     p == KnownPart::cosine ? " times cos(theta)" : "", sum_of(process, values, 9).c_str(),
+                     right_digits(amplitude, of_amplitude * amplitude, 6).c_str()) +
+           bar_text + '\n';
 }
 
 static std::runtime_error error_in(std::size_t line, const std::string& problem) {

@@ -93,6 +93,20 @@ TEST_CASE("an estimate that is too large fails, and an error bar that is only ro
         CHECK_THROWS_WITH(rule_report(values), "the values are too large for their squares; divide all by one number");
 }
 
+// In arithmetic of 128 bits the gain is 89.563791, and the numbers of the values 3.14159542078, 0.156274806 and
+// 1.56648567e-05, or 3.06376131, 7521.03019 and 0.753901818.
+TEST_CASE("of a matrix that is nearly singular no digit is printed that rounding has made wrong") {
+    std::string cosine, step;
+    for (const Vec3& w : some_directions(100)) {
+        cosine += formatted("%.17g %.17g %.17g %.17g\n", w.x, w.y, w.z, w.y);
+        step += formatted("%.17g %.17g %.17g %g\n", w.x, w.y, w.z, w.x > 0 ? 1 : 0.5);
+    }
+    const std::vector<std::string> model{"--covariance=squared-exponential", "--noise=1e-6"};
+    CHECK(rule_report(cosine, model) == Containing{"of samples 90 times as much"});
+    CHECK(rule_report(cosine, model) == Containing{"estimate 3.1415954, amplitude 0.15627, error bar 1.6e-05\n"});
+    CHECK(rule_report(step, model) == Containing{"estimate 3.1, amplitude 7.5e+03, error bar 0.75\n"});
+}
+
 TEST_CASE("directions are drawn from stream 0, and those of a file have no placement") {
     RuleReport report;
     parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
