@@ -67,6 +67,20 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     return rows;
 }
 
+// The slope of log error against log samples, by least squares, with its standard error from what is left.
+static std::string slope_of(const std::vector<ErrorRow>& rows, Statistics ErrorRow::*errors) {
+    Statistics x, y, sum;  // of the logarithms, and of their sums
+    for (const ErrorRow& row : rows) {
+        if (!((row.*errors).mean > 0)) continue;
+        x.add(portable::log(static_cast<double>(row.samples)));
+        y.add(portable::log((row.*errors).mean));
+        sum.add(portable::log(static_cast<double>(row.samples) * (row.*errors).mean));
+    }
+    const double products = (sum.squares - x.squares - y.squares) / 2, slope = products / x.squares;
+    const double left = std::fmax(y.squares - slope * products, 0) / (x.count - 2);
+    return x.count > 2 && x.squares > 1e-9 ? formatted("%.3f +- %.3f", slope, std::sqrt(left / x.squares)) : "nan";
+}
+
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement) {
     std::string text = "# integral of " + integrand.formula + formatted(" = %.10f\n", integrand.truth) +
                        "# samples   mc_error        +-  bmc_error        +- bmc_predicted    mc/bmc mc_samples\n";
@@ -75,7 +89,9 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
         text += formatted("%9zu", row.samples) + mean_cells(row.mc, 11) + mean_cells(row.bmc, 11) +
                 cell(14, row.predicted.count > 0 ? row.predicted.mean : NAN) + cell(10, row.gain()) +
                 cell(11, random ? row.equivalent_mc_samples() : NAN) + '\n';
-    return text;
+    if (rows.size() < 3) return text;
+    return text + "# slope of log error against log samples: mc " + slope_of(rows, &ErrorRow::mc) + ", bmc " +
+           slope_of(rows, &ErrorRow::bmc) + '\n';
 }
 
 void ErrorTables::add_options(Options& options) {
