@@ -15,16 +15,13 @@ static std::string matrix_block(const char* name, const Matrix& matrix) {
     return text;
 }
 
-static double size_of(const std::vector<double>& v) {
-    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
-}
-
 // About how far off rounding leaves a^T Q^-1 b, from A = Q^-1 a and B = Q^-1 b. What is rounded in Q and in its factor
 // acts like a matrix D that is added to Q: it changes this number by -A^T D B. The elements of D are about sqrt(n)
 // roundings of the largest element of Q, with random signs; four times that is rarely exceeded.
 static double rounding(const GaussianProcess& process, const std::vector<double>& A, const std::vector<double>& B) {
+    const auto squares = [](const auto& v) { return std::inner_product(v.begin(), v.end(), v.begin(), 0.0); };
     const double root = process.cholesky.upper(0, 0), n = static_cast<double>(A.size());
-    return 4 * DBL_EPSILON * std::sqrt(n) * root * root * size_of(A) * size_of(B);
+    return 4 * DBL_EPSILON * std::sqrt(n) * root * root * std::sqrt(squares(A)) * std::sqrt(squares(B));
 }
 
 // A number in those of its digits that are right, at most so many.
