@@ -2,7 +2,7 @@
 # make test         every unit test, and the programs' output against tests/output/references
 # make unit         the unit tests alone, below two seconds once they are compiled
 # make references   rewrites these, or with ONLY='pool*' some: only when the output is meant to change
-# make handout      the project for students, without the solutions: build/handout and build/handout.tar.gz
+# make handout      the project for students, without the solutions: build/handout.tar.gz
 # make grade        grades SUBMISSION, a folder made from the hand-out (default: this project)
 # make portability  the output of every compiler and processor that this machine has tools for
 # make sanitizers   what runs the product, compiled by clang++ with its sanitizers

@@ -7,37 +7,45 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-using EstimateDirections = std::function<std::vector<Vec3>(std::size_t)>;  // by the number of an estimate
+// By the number of an estimate: what it has made of directions of its own.
+using RuleOf = std::function<QuadratureRule(std::size_t)>;
+using ProcessOf = std::function<GaussianProcess(std::size_t)>;
 
-// Adds to each integrand's row the errors of settings.mc_estimates estimates by Monte Carlo, each with directions of
-// its own.
+// Adds to rows[i] the errors of so many estimates of integrands[i] by Monte Carlo. Estimate e is the sum of the weights
+// of rule_of(e) times the values in its directions; call it once for all integrands.
 // BEGIN SOLUTION table
-static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                          const ErrorSettings& settings, const EstimateDirections& directions_of) {
-    for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
-        const QuadratureRule rule = monte_carlo_rule(directions_of(e), settings.placement.density);
+static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands, std::size_t estimates,
+                          const RuleOf& rule_of) {
+    for (std::size_t e = 0; e < estimates; ++e) {
+        const QuadratureRule rule = rule_of(e);
         for (std::size_t i = 0; i < rows.size(); ++i)
             rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
     }
 }
 // END SOLUTION
 
-// The same for settings.bmc_estimates estimates, each by a Gaussian process of its own, and for the absolute errors
-// that the processes predict: a normal error of the standard deviation s has the mean absolute value sqrt(2 / pi) s.
+// The same by process_of(e), and the absolute errors that the processes predict: a normal error of the standard
+// deviation s, here the error bar of an estimate, has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
-static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
-                           const ErrorSettings& settings, const EstimateDirections& directions_of) {
-    const auto covariance = settings.make_covariance();
-    for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
-        const GaussianProcess process(*covariance, settings.noise, directions_of(e));
+static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands, std::size_t estimates,
+                           const ProcessOf& process_of) {
+    for (std::size_t e = 0; e < estimates; ++e) {
+        const GaussianProcess process = process_of(e);
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const auto values = unknown_part(integrands[i].value, process.directions, covariance->known_part());
+            const std::vector<double> values = unknown_part(integrands[i].value, process.directions);
             rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
             rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
         }
     }
 }
 // END SOLUTION
+
+// What the functions above sample: f / p in place of f, so that they need not know of p.
+static std::vector<Integrand> unknown_parts(std::vector<Integrand> integrands, KnownPart p) {
+    for (Integrand& each : integrands)
+        each.value = [=, f = each.value](Vec3 omega) { return f(omega) / known_value(p, omega); };
+    return integrands;
+}
 
 // Four digits, or nan for what is not finite: printf would print some as -nan.
 static std::string cell(int width, double number) {
@@ -57,9 +65,17 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
         progress.done();
         return drawn(e);
     };
-    add_mc_errors(rows, integrands, settings, directions_of);
+    const KnownPart density = settings.placement.density;
+    add_mc_errors(rows, unknown_parts(integrands, density), settings.mc_estimates, [&](std::size_t e) {
+        QuadratureRule rule = monte_carlo_rule(directions_of(e), density);
+        rule.known_part = KnownPart::nothing;  // of f / p
+        return rule;
+    });
+    const auto covariance = settings.make_covariance();
+    const std::vector<Integrand> unknown = unknown_parts(integrands, covariance->known_part());
     try {
-        add_bmc_errors(rows, integrands, settings, directions_of);
+        add_bmc_errors(rows, unknown, settings.bmc_estimates,
+                       [&](std::size_t e) { return GaussianProcess(*covariance, settings.noise, directions_of(e)); });
     } catch (const NotPositiveDefinite& error) {
         print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());
         for (ErrorRow& row : rows) row.bmc = row.predicted = {};

@@ -3,7 +3,7 @@
 # make test         your own tests, which begin in tests/test_process.cpp
 # make hand-in      hand-in.tar.gz: the files with tasks
 
-.PHONY: check test hand-in doctest
+.PHONY: check test hand-in
 TASK =
 unexport BASH_ENV  # which may print
 WARNINGS += -Wno-unused-parameter -Wno-unused-function -Wno-unused-variable  # of what no task uses yet
@@ -36,10 +36,6 @@ check: $(BUILD)/compare $(CHECK)/check_tasks
 
 TESTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/test_*.cpp))
 $(TESTS): EXTRA = -O1
-$(TESTS): | doctest
-doctest:
-	@echo '#include <doctest/doctest.h>' | $(CXX) $(CPPFLAGS) -E -x c++ - > /dev/null 2>&1 || \
-	    { echo 'make test needs doctest: apt-get install doctest-dev, or brew install doctest' >&2; false; }
 $(BUILD)/tests/all_tests: $(TESTS) $(COMMON)
 	$(call say,LINK $@) $(LINK) -o $@
 test: $(BUILD)/tests/all_tests

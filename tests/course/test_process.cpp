@@ -1,5 +1,8 @@
 // Tests of your own, with doctest: a TEST_CASE states a fact, and each CHECK compares two values, which it prints if
 // the comparison fails. Here are two facts of 3.1; add yours. What has made you look for a mistake is worth a line.
+#if !__has_include(<doctest/doctest.h>)
+#error "make test needs doctest: apt-get install doctest-dev, or brew install doctest"
+#endif
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "quadrature/gaussian_process.h"
 
