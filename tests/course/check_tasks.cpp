@@ -143,8 +143,6 @@ std::map<std::string, std::function<void()>> all_checks() {
         each_model([](const ErrorSettings& model, const Covariance& k, const Directions& w) {
             matrix("Q", covariance_matrix(k, model.noise, w));
         });
-        in = "(0, 1, 0) twice, noise 0.3: ";
-        matrix("Q", covariance_matrix(Sobolev(), 0.3, {{0, 1, 0}, {0, 1, 0}}));
     };
     check["upper_factor"] = [] { each_positive_matrix([](const Matrix& a) { matrix("U", Cholesky(a).upper); }); };
     check["inverse"] = [] { each_positive_matrix([](const Matrix& a) { matrix("inverse", Cholesky(a).inverse()); }); };

@@ -1,8 +1,4 @@
-# make check        which functions are right, which are wrong and why, and which are not written yet
-# make check TASK=z             of one task, or function
-# make test         your own tests, which begin in tests/test_process.cpp
-# make hand-in      hand-in.tar.gz: the files with tasks
-
+# The goals check, test and hand-in, as README.md describes them.
 .PHONY: check test hand-in
 TASK =
 unexport BASH_ENV  # which may print
