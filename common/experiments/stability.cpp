@@ -35,7 +35,7 @@ struct Threefold final : Covariance {
     explicit Threefold(const Covariance& covariance) : third(covariance) {}
     double k(double squared_chord) const override { return 3 * third.k(squared_chord); }
     double cap_mean(double b) const override { return 3 * third.cap_mean(b); }
-    double z(double cosine) const override { return z_by_caps(cosine, 0.0625); }
+    double z(double cosine) const override { return z_by_caps(cosine, 0.125); }
 };
 
 // The decimal digits that are right, of the 16 of a double.

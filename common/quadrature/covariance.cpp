@@ -8,16 +8,20 @@
 namespace bmc {
 using portable::pi;
 
+// Throws for a cosine outside [0, 1], and for nan.
+static double squared_sine(double cos_theta) {
+    if (!(cos_theta >= 0 && cos_theta <= 1))
+        throw std::invalid_argument(formatted("cos(theta) must lie between 0 and 1; it is %.17g", cos_theta));
+    return (1 - cos_theta) * (1 + cos_theta);
+}
+
 // The polar angle theta with the cosine c, stored as sigma = sin(theta) and q = c / (1 + sigma) = sqrt((1 - sigma) / (1
 // + sigma)): 1 straight up, 0 on the horizon. 1 / q must stay finite, so q is at least 2^-60. This changes z by less
 // than 1e-17.
 struct PolarAngle {
     double sigma, q;
 
-    explicit PolarAngle(double c) : sigma(std::sqrt((1 - c) * (1 + c))), q(std::max(c / (1 + sigma), 0x1p-60)) {
-        if (!(c >= 0 && c <= 1))  // nor nan
-            throw std::invalid_argument(formatted("cos(theta) must lie between 0 and 1; it is %.17g", c));
-    }
+    explicit PolarAngle(double c) : sigma(std::sqrt(squared_sine(c))), q(std::max(c / (1 + sigma), 0x1p-60)) {}
 };
 
 // The integral of f(tan^2(E / 2)) over E from 0 to pi; f takes the square so that it needs no root. Substitute
@@ -76,7 +80,7 @@ SquaredExponential::SquaredExponential(double l)
     : kappa(1 / (l * checked("length-scale", l, min_length_scale, max_length_scale))),
       zz_value(zz_by_caps([&](double b) { return SquaredExponential::cap_mean(b); })) {}
 
-// The rest are closed forms. You need not follow them to use them: a test compares each z with 20 digits that were
+// The rest are closed forms. You need not follow them to use them: a test compares each with 20 digits that were
 // computed from its definition, in another way.
 
 // Bulirsch's complete elliptic integral, the integral over t from 0 to pi/2 of
@@ -115,9 +119,8 @@ double SobolevKnownCosine::z(double cos_theta) const {
                             (2 * complete_elliptic(q, 1, 1, q * q) - complete_elliptic(q, 1 / q, 1, 1));
 }
 
-// M(b) = (1 - e^-x) / x with x = kappa b. For small x the difference would cancel, so sum the series.
-double SquaredExponential::cap_mean(double b) const {
-    const double x = kappa * b;
+// (1 - e^-x) / x. For small x the difference would cancel, so sum the series.
+static double exponential_mean(double x) {
     if (x > 1) return (1 - portable::exp(-x)) / x;
     double sum = 1, term = 1;
     for (int m = 2; sum + term != sum; ++m) {
@@ -125,5 +128,22 @@ double SquaredExponential::cap_mean(double b) const {
         sum += term;
     }
     return sum;
+}
+
+double SquaredExponential::cap_mean(double b) const { return exponential_mean(kappa * b); }
+
+// A series of positive terms, so that nothing cancels at short length-scales: 2 pi M(2), which is the same for all
+// directions, plus 2 pi times the sum over m of t_m B_m. The t_m are e^-kappa times the terms of the modified Bessel
+// function I_1(kappa), and B_m, the integral of (1 - u^2)^m over u from 0 to c, has a recurrence.
+double SquaredExponential::z(double cos_theta) const {
+    const double ss = squared_sine(cos_theta);
+    double t = kappa / 2 * portable::exp(-kappa), b = cos_theta, edge = cos_theta, sum = t * b;
+    for (int m = 1; m < kappa / 2 || sum + t * b != sum; ++m) {
+        t *= kappa / (2 * m) * (kappa / (2 * m + 2));
+        edge *= ss;
+        b = (edge + 2 * m * b) / (2 * m + 1);
+        sum += t * b;
+    }
+    return 2 * pi * (exponential_mean(2 * kappa) + sum);
 }
 }  // namespace bmc

@@ -27,8 +27,8 @@ struct Covariance {
     virtual double z(double cos_theta) const;
     virtual double zz() const;
 
-    // z for p = 1 as an integral of M by steps of ln t: right in fourteen digits by 1/4 for Sobolev, by 1/8 for a
-    // squared exponential (1/4 leaves it 1e-10 off at l = 0.05).
+    // z for p = 1 as an integral of M, with this step of ln t. Exact to rounding by 1/4 for Sobolev, and by 1/8 for a
+    // squared exponential, too, which 1/4 leaves 1e-10 off at l = 0.05.
     double z_by_caps(double cos_theta, double step) const;
 
     virtual KnownPart known_part() const { return KnownPart::nothing; }  // p
@@ -74,7 +74,7 @@ struct SquaredExponential final : Covariance {
 
     double k(double squared_chord) const override { return portable::exp(-0.5 * kappa * squared_chord); }
     double cap_mean(double b) const override;
-    double z(double cos_theta) const override { return z_by_caps(cos_theta, 0.125); }
+    double z(double cos_theta) const override;
     double zz() const override { return zz_value; }
 };
 }  // namespace bmc
