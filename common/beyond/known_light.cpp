@@ -1,6 +1,6 @@
 #include "beyond/known_light.h"
 
-#include "base/parallel.h"
+#include "base/progress.h"
 
 #include <stdexcept>
 

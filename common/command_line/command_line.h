@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/formatted.h"
-#include "base/terminal.h"
+#include "base/progress.h"
 #include "quadrature/quadrature.h"
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "experiments/reports.h"
 
-#include "base/parallel.h"
+#include "base/progress.h"
 #include "base/statistics.h"
 #include "experiments/integrands.h"
 #include "scene/image.h"

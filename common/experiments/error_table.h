@@ -2,8 +2,8 @@
 // samples.
 #pragma once
 
+#include "base/progress.h"
 #include "base/statistics.h"
-#include "base/terminal.h"
 #include "command_line/command_line.h"
 #include "experiments/integrands.h"
 

@@ -1,4 +1,4 @@
-#include "base/parallel.h"
+#include "base/progress.h"
 #include "light/environment.h"
 
 namespace bmc {

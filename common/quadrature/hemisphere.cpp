@@ -1,6 +1,6 @@
 #include "quadrature/hemisphere.h"
 
-#include "base/terminal.h"
+#include "base/progress.h"
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.

@@ -2,8 +2,7 @@
 // Loos, Hansen & Bouatouch, "A Bayesian Monte Carlo approach to global illumination" (Computer Graphics Forum 2009).
 #pragma once
 
-#include "base/parallel.h"
-#include "base/terminal.h"
+#include "base/progress.h"
 #include "quadrature/quadrature.h"
 
 namespace bmc {

@@ -1,10 +1,19 @@
-// What a person sees on standard error: notes, and how far a long calculation is.
+// How a long calculation runs: its rows by several threads, and what a person sees of it on standard error.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace bmc {
+// The number of processors of this machine, at least 1.
+std::size_t processors();
+
+// Calls row(y) once for every y from 0 to rows - 1, in any order, on at most this number of threads. If a call throws,
+// no thread begins another row, and the exception reaches the caller.
+void for_each_row(int rows, std::size_t threads, const std::function<void(int y)>& row);
+
 // Prints a line on stderr, which begins with the program's name. Control characters become question marks: it may quote
 // options and files.
 inline const char* program_name = "bmc";
@@ -22,7 +31,7 @@ private:
     const std::string phase_;
     const std::size_t parts_;
     const double start_;  // seconds
-    double shown_ = 0;  // seconds from the start
+    double shown_ = 0;    // seconds from the start
     std::size_t done_ = 0;
 };
 }  // namespace bmc
