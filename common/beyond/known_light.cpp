@@ -27,8 +27,8 @@ constexpr int light_columns = 96, light_rows = 48;  // of the cells that light i
 // The part, of `parts` equal ones, that texel i of n lies in.
 static std::size_t part_with(int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); }
 
-// The integral of L omega d omega for each cell and each colour.
-static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
+// The integral of L omega d omega for each cell and each colour, over the texels whose R + G + B exceeds `least`.
+static std::vector<Vec3> fluxes(const EnvironmentMap& environment, double least) {
     const TexelsOnSphere texels(environment, light_columns, light_rows);
     std::vector<portable::SineCosine> azimuths;
     for (int i = 0; i < texels.columns; ++i) azimuths.push_back(texels.azimuth(i + 0.5));
@@ -37,6 +37,7 @@ static std::vector<Vec3> fluxes(const EnvironmentMap& environment) {
         const portable::SineCosine polar = texels.polar(row + 0.5);
         const double solid_angle = texels.solid_angle(row);
         for (int column = 0; column < texels.columns; ++column) {
+            if (!(brightness(texels(row, column)) > least)) continue;
             const Colour light = solid_angle * texels(row, column);
             const Vec3 direction = direction_of(polar, azimuths[static_cast<std::size_t>(column)]);
             Vec3* flux = &fluxes[3 * (part_with(row, texels.rows, light_rows) * light_columns +
@@ -106,9 +107,9 @@ static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, C
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
     : sun(not_too_bright(map)),
-      tables_{{0, std::make_shared<const EnvironmentMap>(sun.sky(map))}},
-      sky_irradiance_(irradiance_table(fluxes(*tables_[0].means), 64, threads)),
-      sun_irradiance_(irradiance_table(fluxes(sun.alone(map)), sun.empty() ? 1 : 128, threads)) {
+      tables_{{0, sun.sky(map)}},
+      sky_irradiance_(irradiance_table(fluxes(*tables_[0].means, 0), 64, threads)),
+      sun_irradiance_(irradiance_table(fluxes(map, sun.least()), sun.empty() ? 1 : 128, threads)) {
     const TexelsOnSphere texels(*tables_[0].means, 256, 128);
     tables_[0].solid_angle = texels.solid_angle(texels.rows / 2);
     Colour everywhere = 1e-6 / (2 * pi) * (sky_irradiance({0, 1, 0}) + sky_irradiance({0, -1, 0}));
@@ -120,21 +121,24 @@ PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::s
     }
 }
 
-std::shared_ptr<const EnvironmentMap> PrefilteredEnvironment::means(double solid_angle) const {
+const EnvironmentMap& PrefilteredEnvironment::means(double solid_angle) const {
     std::size_t i = 0;
     while (i + 1 < tables_.size() && solid_angle * solid_angle >= tables_[i].solid_angle * tables_[i + 1].solid_angle)
         ++i;
-    return tables_[i].means;
+    return *tables_[i].means;
 }
 
-SampleCounts share_out(const EnvironmentLight& light, std::size_t samples) {
-    if (!light.averages || light.averages->sun.empty()) return {samples, 0};
-    const double rays = 0.8 * light.averages->sun.share() * static_cast<double>(samples);
-    const std::size_t sun = std::max<std::size_t>(static_cast<std::size_t>(rays + 0.5), 1);
-    return {samples > sun ? samples - sun : 1, sun};
+SampleCounts share_out(const Sun& sun, Colour by_sky, Colour by_sun, std::size_t samples) {
+    if (brightness(by_sun) == 0) return {samples, 0};
+    const auto part_of = [](double deviation) { return std::sqrt(deviation * std::sqrt(deviation)); };
+    const double to_sun = part_of(0.4 * std::sqrt(std::sqrt(sun.spread())) * brightness(by_sun));
+    const double wanted = to_sun / (to_sun + part_of(brightness(by_sky))) * static_cast<double>(samples);
+    const std::size_t rays = std::max<std::size_t>(static_cast<std::size_t>(wanted + 0.5), 1);
+    return {samples > rays ? samples - rays : 1, rays};
 }
 
-// The fraction of each colour of the sky's light that passes the other object.
+// The fraction of each colour of the sky's light that passes the other object. That covers nobody's whole sky: where it
+// stops all n rays, about 1 / (n + 1) of the light passes between them.
 static Colour visible_sky(const EnvironmentMap& means, const Hit& hit, const QuadratureRule& rule, const Frame& frame) {
     std::vector<int> all(rule.size()), visible(rule.size());  // texels; the black one in the shadow
     for (std::size_t i = 0; i < rule.size(); ++i) {
@@ -148,24 +152,44 @@ static Colour visible_sky(const EnvironmentMap& means, const Hit& hit, const Qua
         sky.all += rule.weights[i] * means.colour(all[i]);
         sky.visible += rule.weights[i] * means.colour(visible[i]);
     }
-    return sky.fraction();
+    const Colour fraction = sky.fraction(), least = 1 / static_cast<double>(rule.size() + 1) * Colour{1, 1, 1};
+    return brightness(fraction) > 0 ? fraction : least;
+}
+
+// The sky's rules: of all n samples, and where there is a sun, of fewer. The sun's part grows by a quarter from one to
+// the next, or the sky's shrinks by a quarter, whichever is the smaller step. The time to make a rule grows like n^3:
+// of many samples, the largest has about the sky's share of the light, and all steps are a quarter.
+static std::vector<PixelRules> sky_rules(const Sun& sun, RenderSettings settings) {
+    const std::size_t all = settings.samples;
+    const bool many = all > 200;
+    std::size_t& n = settings.samples;
+    if (many) n = static_cast<std::size_t>((1 - 0.75 * sun.share()) * static_cast<double>(all));
+    std::vector<PixelRules> rules{PixelRules(settings)};
+    while (!sun.empty() && n > 1) {
+        n -= 1 + (many ? n - 2 : std::min(all - n, n - 2)) / 4;
+        rules.emplace_back(settings);
+    }
+    return rules;
 }
 
 Shader light_shader(const EnvironmentLight& any_light, RenderSettings settings) {
-    const SampleCounts samples = share_out(any_light, settings.samples);
-    settings.samples = samples.sky;
-    const PixelRules rules(settings);
-    if (!any_light.averages) return environment_shader(any_light.environment, rules);
-    const double cap = 2 * portable::pi / static_cast<double>(samples.sky);
-    return [=, light = any_light.averages, means = any_light.averages->means(cap)](const Hit& hit, int x, int y) {
-        Random random = pixel_stream(rules.settings, x, y);
-        const OrientedRule oriented = rules.rule_for(hit.normal, random);
-        Colour irradiance =
-            light->sky_irradiance(hit.normal) * visible_sky(*means, hit, *oriented.rule, oriented.frame);
-        if (samples.sun > 0)
-            irradiance += light->sun_irradiance(hit.normal) *
-                          sample_sun(sphere_scene, light->sun, hit, samples.sun, random).fraction();
-        return 1 / portable::pi * (hit.albedo * irradiance);
+    if (!any_light.averages) return environment_shader(any_light.environment, PixelRules(settings));
+    const std::shared_ptr<const PrefilteredEnvironment> light = any_light.averages;
+    return [=, rules = sky_rules(light->sun, settings)](const Hit& hit, int x, int y) {
+        const Colour by_sky = light->sky_irradiance(hit.normal), by_sun = light->sun_irradiance(hit.normal);
+        const SampleCounts samples = share_out(light->sun, by_sky, by_sun, settings.samples);
+        Random random = pixel_stream(settings, x, y);
+        std::size_t size = 0;
+        while (rules[size].settings.samples > samples.sky) ++size;
+        const OrientedRule sky = rules[size].rule_for(hit.normal, random);
+        // A little less than a sample's part of the hemisphere: caps that are too large are biased.
+        const EnvironmentMap& means = light->means(1.7 * pi / static_cast<double>(sky.rule->size()));
+        Colour irradiance = by_sky * visible_sky(means, hit, *sky.rule, sky.frame);
+        if (samples.sun > 0) {
+            const std::size_t rays = std::max(settings.samples, sky.rule->size() + 1) - sky.rule->size();
+            irradiance += by_sun * sample_sun(sphere_scene, light->sun, hit, rays, random).fraction();
+        }
+        return 1 / pi * (hit.albedo * irradiance);
     };
 }
 }  // namespace bmc::beyond

@@ -5,8 +5,7 @@ Shader sun_shader(const EnvironmentMap& map, RenderSettings settings, std::size_
     settings.method = Method::mc;
     settings.placement = {PointSet::fibonacci, KnownPart::cosine};
     const auto sun = std::make_shared<const Sun>(map, 4);  // with the edge of a disc, which a lattice would rarely meet
-    return [=, sky = std::make_shared<const EnvironmentMap>(sun->sky(map)), rules = PixelRules(settings)](
-               const Hit& hit, int x, int y) {
+    return [=, sky = sun->sky(map), rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
         const OrientedRule oriented = rules.rule_for(hit.normal, random);
         const Colour sky_colour = reflected_radiance(sphere_scene, *sky, hit, *oriented.rule, oriented.frame);

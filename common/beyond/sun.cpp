@@ -10,15 +10,15 @@ static std::uint64_t z_order(int row, int column) {
     return order;
 }
 
-Sun::Sun(const EnvironmentMap& map, double threshold) : all_(4 * portable::pi * mean_over_directions(map, brightness)) {
+Sun::Sun(const EnvironmentMap& map, double threshold)
+    : all_(4 * portable::pi * mean_over_directions(map, brightness)), least_(threshold * all_ / (4 * portable::pi)) {
     const TexelsOnSphere whole(map);
     columns_ = whole.columns;
-    const double least = threshold * all_ / (4 * portable::pi);
     for (int row = 0; row < whole.rows; ++row) {
         const double top = whole.polar(row).cosine, bottom = whole.polar(row + 1).cosine;
         for (int column = 0; column < whole.columns; ++column) {
             const Colour light = whole(row, column);
-            if (!(brightness(light) > least)) continue;
+            if (!(brightness(light) > least_)) continue;
             texels_.push_back({z_order(row, column), row, column, light, top, bottom});
         }
     }
@@ -27,26 +27,31 @@ Sun::Sun(const EnvironmentMap& map, double threshold) : all_(4 * portable::pi * 
         light_.push_back(light_.back() + whole.solid_angle(texel.row) * brightness(texel.colour));
         texel.colour = 1 / brightness(texel.colour) * texel.colour;
     }
+    if (empty()) return;
+    for (int step = 0; step <= steps; ++step) {
+        const auto end = std::upper_bound(light_.begin() + 1, light_.end() - 1, light() * step / steps);
+        first_.push_back(static_cast<std::size_t>(end - light_.begin() - 1));
+    }
+    Vec3 mean;
+    for (int step = 0; step < steps; ++step) mean += 1.0 / steps * ray((step + 0.5) / steps, 0.5).direction;
+    spread_ = std::sqrt(std::max(1 - dot(mean, mean), 1e-12));
 }
 
 Sun::Ray Sun::ray(double across, double down) const {
     const double before = across * light();
-    const auto end = std::upper_bound(light_.begin() + 1, light_.end() - 1, before);  // of the texel's light
-    const Texel& texel = texels_[static_cast<std::size_t>(end - light_.begin() - 1)];
+    const std::size_t* first = &first_[static_cast<std::size_t>(std::min(across * steps, steps - 1.0))];
+    const double* end = std::upper_bound(&light_[first[0] + 1], &light_[first[1] + 1], before);  // of the texel's light
+    const Texel& texel = texels_[static_cast<std::size_t>(end - &light_[1])];
     const double cosine = texel.top + down * (texel.bottom - texel.top), right = (before - end[-1]) / (*end - end[-1]);
     const portable::SineCosine azimuth = portable::sincos_turns((texel.column + right) / columns_ - 0.5);
     return {direction_of({std::sqrt((1 - cosine) * (1 + cosine)), cosine}, azimuth), texel.colour};
 }
 
-EnvironmentMap Sun::sky(EnvironmentMap map) const {
-    for (const Texel& texel : texels_) map.set(texel.column, texel.row, {});
-    return map;
-}
-
-EnvironmentMap Sun::alone(const EnvironmentMap& map) const {
-    EnvironmentMap sun(empty() ? 1 : map.width, empty() ? 1 : map.height);
-    for (const Texel& texel : texels_) sun.set(texel.column, texel.row, map.colour(map.index(texel.column, texel.row)));
-    return sun;
+std::shared_ptr<const EnvironmentMap> Sun::sky(const EnvironmentMap& map) const {
+    if (empty()) return {std::shared_ptr<void>(), &map};  // owns nothing
+    const auto sky = std::make_shared<EnvironmentMap>(map);
+    for (const Texel& texel : texels_) sky->set(texel.column, texel.row, {});
+    return sky;
 }
 
 Colour RatioEstimator::fraction() const {

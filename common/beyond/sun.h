@@ -7,6 +7,8 @@
 #include "light/texels_on_sphere.h"
 #include "scene/scene.h"
 
+#include <memory>
+
 namespace bmc::beyond {
 // Sums over rays: of all light, and of what arrives.
 struct RatioEstimator {
@@ -22,13 +24,18 @@ public:
 
     bool empty() const { return texels_.empty(); }
 
+    // The R + G + B that its texels exceed.
+    double least() const { return least_; }
+
     // The integral of its R + G + B over all directions, and the ratio to that of the whole map.
     double light() const { return light_.back(); }
     double share() const { return empty() ? 0 : light() / all_; }
 
-    // The map that it was made of, without the sun; and the sun without the rest: where there is none, one black texel.
-    EnvironmentMap sky(EnvironmentMap map) const;
-    EnvironmentMap alone(const EnvironmentMap& map) const;
+    // About the standard deviation of the directions that its light comes from, as unit vectors: above 0, at most 1.
+    double spread() const { return spread_; }
+
+    // The map that it was made of, without the sun: a copy, or where there is no sun that map, which must outlive it.
+    std::shared_ptr<const EnvironmentMap> sky(const EnvironmentMap& map) const;
 
     // colour: the radiance there, scaled to R + G + B = 1.
     struct Ray {
@@ -49,10 +56,13 @@ private:
         double top, bottom;  // cosines of polar angles
     };
 
+    static constexpr int steps = 4096;
+
     int columns_;  // of the map
-    double all_;
+    double all_, least_, spread_ = 1;
     std::vector<Texel> texels_;
-    std::vector<double> light_{0};  // of no texel, of the first one, of the first two ...
+    std::vector<double> light_{0};    // of no texel, of the first one, of the first two ...
+    std::vector<std::size_t> first_;  // the texel where each of the equal steps of the light begins, and the last one
 };
 
 // The sums over m rays to the sun, or over none if it is empty. Ray j is ray((j + u) / m, down), where u and then down

@@ -16,8 +16,8 @@ TEST_CASE("the sun is the texels of more than ten times the mean radiance") {
         CHECK(sun.empty() == !shines);
         CHECK(std::fabs(sun.light() - shines * 4 * pi * part * 3 * radiance) < 1e-5);  // floats
         CHECK(std::fabs(sun.share() - shines * part * radiance / (1 - part + part * radiance)) < 1e-6);
-        CHECK(sun.sky(map).colour(place).x == (shines ? 0 : map.colour(place).x));
-        CHECK(sun.sky(map).colour(place + 1).x == 1);
+        CHECK(sun.sky(map)->colour(place).x == (shines ? 0 : map.colour(place).x));
+        CHECK(sun.sky(map)->colour(place + 1).x == 1);
     }
 }
 
@@ -50,6 +50,18 @@ TEST_CASE("the fraction u of the light is passed texel by texel, in Morton's ord
         if (passed.empty() || passed.back() != place) passed.push_back(place);
     }
     CHECK(passed == std::vector<int>{20, 21, 30, 31, 22, 23, 32, 33, 120, 121, 130, 131, 122, 123, 132, 133});
+}
+
+// The variance of a direction that is even in an arc is a twelfth of its squared length.
+TEST_CASE("the spread of the sun is the deviation of its directions") {
+    const auto spread_of = [](std::vector<int> columns) {
+        EnvironmentMap map(513, 257);
+        for (const int column : columns) map.set(column, 128, {1, 1, 1});
+        return Sun(map).spread();
+    };
+    CHECK(relative(spread_of({7}), 2 * pi / 512 / std::sqrt(12)) < 1e-3);
+    CHECK(relative(spread_of({7, 8, 9}), 6 * pi / 512 / std::sqrt(12)) < 1e-3);
+    CHECK(relative(spread_of({7, 7 + 256}), 1) < 1e-3);
 }
 
 TEST_CASE("a fraction is visible over all light, from 0 to 1, and 1 where there is no light") {
