@@ -1,49 +1,60 @@
 #include "beyond/known_light_cost.h"
 
+#include <stdexcept>
+
 namespace bmc::beyond {
-Shader mis_shader(const EnvironmentMap& map, const Sun& light, const RenderSettings& settings) {
-    return [&map, &light, settings](const Hit& hit, int x, int y) {
+Shader mis_shader(const EnvironmentLight& light, const Sun& all, RenderSettings settings) {
+    const double samples = static_cast<double>(settings.samples);
+    settings.samples = (settings.samples + 1) / 2;
+    return [=, &all, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
         Random random = pixel_stream(settings, x, y);
-        const Frame frame(hit.normal);
-        std::vector<Vec3> directions = stratified_directions((settings.samples + 1) / 2, random, KnownPart::cosine);
-        for (Vec3& direction : directions) direction = frame.to_world(direction);
-        const double by_cosine = static_cast<double>(directions.size());
-        const double by_light = static_cast<double>(settings.samples) - by_cosine;
+        const OrientedRule oriented = rules.rule_for(hit.normal, random);
+        std::vector<Vec3> directions = oriented.rule->directions;
+        for (Vec3& direction : directions) direction = oriented.frame.to_world(direction);
+        const double by_cosine = static_cast<double>(directions.size()), by_light = samples - by_cosine;
         for (double j = 0; j < by_light; ++j) {
             const double across = (j + random.uniform()) / by_light;
-            directions.push_back(light.ray(across, random.uniform()).direction);
+            directions.push_back(all.ray(across, random.uniform()).direction);
         }
-        Colour irradiance;
+        RatioEstimator sum;
         for (const Vec3& direction : directions) {
             const double cosine = dot(hit.normal, direction);
-            if (cosine <= 0 || is_shadowed(sphere_scene, hit, direction)) continue;
-            const Colour radiance = map.radiance(direction);
-            const double densities =
-                by_light * brightness(radiance) / light.light() + by_cosine * cosine / portable::pi;
-            irradiance += cosine / densities * radiance;
+            if (cosine <= 0) continue;
+            const Colour radiance = light.environment.radiance(direction);
+            const double densities = by_light * brightness(radiance) / all.light() + by_cosine * cosine / portable::pi;
+            sum.all += cosine / densities * radiance;
+            if (!is_shadowed(sphere_scene, hit, direction)) sum.visible += cosine / densities * radiance;
         }
-        return 1 / portable::pi * (hit.albedo * irradiance);
+        if (!light.averages) return 1 / portable::pi * (hit.albedo * sum.visible);
+        return 1 / portable::pi * (hit.albedo * light.averages->irradiance(hit.normal) * sum.fraction());
     };
 }
 
 std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
+    constexpr int most = 1 << 23;  // which take 1 GB, as each texel is a lamp of mis
+    if (map.height > most / map.width)
+        throw std::runtime_error(formatted("%s has %d x %d texels, but known-light takes at most %d; shrink it",
+                                           name.c_str(), map.width, map.height, most));
     const RenderSettings dense = row_settings(costs, {}, 10000);
-    const EnvironmentLight known(map, true, dense.threads);
+    const EnvironmentLight known(map, true, dense.threads), unknown(map, false, dense.threads);
     const Sun all(map, 0);
     constexpr Placement stratified{PointSet::stratified, KnownPart::cosine};
     constexpr Placement optimised{PointSet::optimised, KnownPart::cosine};
-    PictureCost mis = compared_picture(map, Method::mc, 1, stratified);
+    PictureCost mis = compared_picture(map, Method::mc, 1, optimised), mis_ratio = mis;
     PictureCost shadows = compared_picture(map, Method::pool, 1, optimised);
     mis.method_column = "mis";
-    mis.image = [&](const RenderSettings& s) { return render(map, s, mis_shader(map, all, s)); };
+    mis_ratio.method_column = "mis-ratio";
+    mis.image = [&](const RenderSettings& s) { return render(map, s, mis_shader(unknown, all, s)); };
+    mis_ratio.image = [&](const RenderSettings& s) { return render(map, s, mis_shader(known, all, s)); };
     shadows.image = [&](const RenderSettings& s) { return render(map, s, light_shader(known, s)); };
-    mis.light_known = shadows.light_known = true;
+    mis.light_known = mis_ratio.light_known = shadows.light_known = true;
     const std::vector<PictureCost> compared{compared_picture(map, Method::mc, 1, {}),
                                             compared_picture(map, Method::pool, 20, {}),
                                             compared_picture(map, Method::mc, 1, stratified),
                                             compared_picture(map, Method::pool, 20, stratified),
                                             compared_picture(map, Method::mc, 1, optimised),
                                             mis,
+                                            mis_ratio,
                                             shadows};
     const Image truth = render(map, dense, sun_shader(map, dense, dense.samples));
     Statistics mean;
@@ -52,7 +63,7 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
     return "# The sphere scene under " + name +
            formatted(R"(. The mean radiance of the objects is %.4g.
 # Columns as of tradeoff; mis: directions in proportion to the light, and to the cosine, by multiple importance
-# sampling.
+# sampling; mis-ratio: the same sum over itself without shadows, times the light without shadows.
 )",
                      mean.mean) +
            measured_table(compared, truth);

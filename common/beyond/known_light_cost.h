@@ -5,10 +5,12 @@
 #include "experiments/reports.h"
 
 namespace bmc::beyond {
-// What renderers do with a light that they know: half of the samples are drawn in proportion to the light
-// (the sun of threshold 0), the others to the cosine, both stratified, and each is weighted by the balance heuristic of
-// multiple importance sampling (Veach & Guibas, cited in sun.h). The map and the light must outlive the shader.
-Shader mis_shader(const EnvironmentMap& map, const Sun& light, const RenderSettings& settings);
+// What renderers do with a light that they know: half of the samples are drawn in proportion to the light (the sun of
+// threshold 0) and stratified, the others are the directions of a rule of these settings, of density cos(theta) / pi.
+// Each is weighted by the balance heuristic of multiple importance sampling (Veach & Guibas, cited in sun.h). Where the
+// light is known, the sum is divided by itself without shadows and multiplied by E(n) (Heitz, Hill & McGuire,
+// "Combining analytic direct illumination and stochastic shadows", I3D 2018). The map and the sun must outlive it.
+Shader mis_shader(const EnvironmentLight& light, const Sun& all, RenderSettings settings);
 
 // What `workbench known-light` prints.
 struct KnownLightReport : PictureReport {

@@ -140,7 +140,7 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
         const char* const known = row.light_known ? "light" : name_of(s.placement.density, known_part_names);
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
-        text += formatted("%-8s %5zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", row.method_column, s.pool,
+        text += formatted("%-9s %4zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", row.method_column, s.pool,
                           s.placement.name().c_str(), known, s.samples, rmse, row.rmse.standard_error(),
                           row.correlation.mean, row.brightness.value(),
                           two_digits(static_cast<double>(s.samples) * gain).c_str());

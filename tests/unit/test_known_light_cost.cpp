@@ -28,14 +28,27 @@ TEST_CASE("a better picture has at most half of the error of the best, under a s
 }
 
 // Under a sun and a sky, of which the halves of the samples see one each: the mean is right within 5 standard errors.
-TEST_CASE("multiple importance sampling of light and cosine is right on average") {
+TEST_CASE("multiple importance sampling is right on average, and as a quotient it has half of the error") {
     const EnvironmentMap map = sunny_map();
-    RenderSettings settings = small_picture(Method::mc, 10, 10);
+    RenderSettings settings = small_picture(Method::mc, 10, 10, {PointSet::stratified, KnownPart::cosine});
     const Image truth = truth_with_sun(map, settings, 10000);
     const Sun all(map, 0);
     Statistics brightness;
-    for (settings.seed = 1; settings.seed <= 100; ++settings.seed)
-        brightness.add(image_error(render(map, settings, mis_shader(map, all, settings)), truth).brightness);
+    RootMeanSquare error, quotients_error;
+    const EnvironmentLight known(map, true, 1);
+    for (settings.seed = 1; settings.seed <= 100; ++settings.seed) {
+        const ImageError sums = image_error(render(map, settings, mis_shader({map, false, 1}, all, settings)), truth);
+        brightness.add(sums.brightness);
+        error.add(sums.rmse);
+        quotients_error.add(image_error(render(map, settings, mis_shader(known, all, settings)), truth).rmse);
+    }
     CHECK(std::fabs(brightness.mean) < 5 * brightness.standard_error());
     CHECK(brightness.standard_error() < 0.003);
+    CHECK(quotients_error.value() < 0.5 * error.value());
+}
+
+TEST_CASE("known-light refuses a light whose texels would fill the memory") {
+    const EnvironmentMap large(1 << 13, (1 << 10) + 1);
+    CHECK(message_of([&] { KnownLightReport().table("large.hdr", large); }) ==
+          Containing{"large.hdr has 8192 x 1025 texels, but known-light takes at most 8388608"});
 }
