@@ -100,19 +100,13 @@ void check_failing_reads(const std::string& bytes, Read read) {
     }
 }
 
-// These words as the arguments of a program, behind its name.
-inline std::vector<char*> argv_of(std::vector<std::string>& words) {
+// Lets the options take what stands in these arguments of a program, and returns what they leave.
+inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
     words.insert(words.begin(), "program");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     optind = 0;  // a fresh scan
-    return argv;
-}
-
-// Lets the options take what stands in these arguments of a program, and returns what they leave.
-inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
-    std::vector<char*> argv = argv_of(words);
     parse_options(static_cast<int>(words.size()), argv.data(), options);
     return {argv.begin() + optind, argv.end() - 1};
 }
