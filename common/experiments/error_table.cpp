@@ -7,12 +7,12 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// By the number of an estimate: what it has made of directions of its own.
+// By the number of an estimate: its rule, or its process, of fresh directions.
 using RuleOf = std::function<QuadratureRule(std::size_t)>;
 using ProcessOf = std::function<GaussianProcess(std::size_t)>;
 
 // Adds to rows[i] the errors of so many estimates of integrands[i] by Monte Carlo. Estimate e is the sum of the weights
-// of rule_of(e) times the values in its directions; call it once for all integrands.
+// of rule_of(e) times the values in its directions; call rule_of once for all integrands.
 // BEGIN SOLUTION table
 static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands, std::size_t estimates,
                           const RuleOf& rule_of) {
@@ -83,18 +83,21 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     return rows;
 }
 
-// The slope of log error against log samples, by least squares, with its standard error from what is left.
+// The slope of log error against log samples, by least squares, with its standard error from those of the rows.
 static std::string slope_of(const std::vector<ErrorRow>& rows, Statistics ErrorRow::*errors) {
-    Statistics x, y, sum;  // of the logarithms, and of their sums
+    Statistics x;  // the logarithms of the numbers of samples
+    for (const ErrorRow& row : rows)
+        if ((row.*errors).mean > 0) x.add(portable::log(static_cast<double>(row.samples)));
+    double slope = 0, variance = 0;
     for (const ErrorRow& row : rows) {
-        if (!((row.*errors).mean > 0)) continue;
-        x.add(portable::log(static_cast<double>(row.samples)));
-        y.add(portable::log((row.*errors).mean));
-        sum.add(portable::log(static_cast<double>(row.samples) * (row.*errors).mean));
+        const Statistics& error = row.*errors;
+        if (!(error.mean > 0)) continue;
+        const double part = (portable::log(static_cast<double>(row.samples)) - x.mean) / x.squares;
+        const double plus_minus = part * error.standard_error() / error.mean;
+        slope += part * portable::log(error.mean);
+        variance += plus_minus * plus_minus;
     }
-    const double products = (sum.squares - x.squares - y.squares) / 2, slope = products / x.squares;
-    const double left = std::fmax(y.squares - slope * products, 0) / (x.count - 2);
-    return x.count > 2 && x.squares > 1e-9 ? formatted("%.3f +- %.3f", slope, std::sqrt(left / x.squares)) : "nan";
+    return x.squares > 0 && variance >= 0 ? formatted("%.3f +- %.3f", slope, std::sqrt(variance)) : "nan";
 }
 
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement) {
@@ -123,7 +126,7 @@ void ErrorTables::add_options(Options& options) {
 std::string ErrorTables::report() const {
     std::vector<Integrand> integrands;
     for (const NamedIntegrand& named : named_integrands())
-        if (integrand == "all" ? named.in_practice : integrand == named.name) integrands.push_back(named.make());
+        if (integrand == "all" || integrand == named.name) integrands.push_back(named.make());
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
     for (const std::size_t n : settings.sample_counts) {

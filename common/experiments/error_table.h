@@ -33,8 +33,8 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
                                  const ErrorSettings& settings);
 
 // A line for each row, and below three rows or more the powers of the number of samples that both errors follow, with
-// their standard errors. MC's is -1/2. nan stands for what has no meaning, such as the equivalent random samples of a
-// placement that is not random.
+// their standard errors. MC's is about -1/2 for random directions. nan stands for what has no meaning, such as the
+// equivalent random samples of a placement that is not random.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
 
 // What the workbench prints without a command: the tables of the practice's integrands.
