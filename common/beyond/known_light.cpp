@@ -2,8 +2,6 @@
 
 #include "base/progress.h"
 
-#include <stdexcept>
-
 namespace bmc::beyond {
 using portable::pi;
 
@@ -76,14 +74,6 @@ static EnvironmentMap irradiance_table(const std::vector<Vec3>& flux, int rows, 
     return table;
 }
 
-// Beyond 1e36 integrals would exceed the largest float.
-static const EnvironmentMap& not_too_bright(const EnvironmentMap& map) {
-    for (int i = 1; i <= map.width * map.height; ++i)
-        if (dot(map.colour(i), {1, 1, 1}) > 1e36)
-            throw std::runtime_error("this light is too bright to be known: a radiance exceeds 1e36");
-    return map;
-}
-
 // A cap is made of caps of a quarter of its size, the smallest one of texels: each texel of the table is the mean of
 // lookups in the finer table. Only u = 1 and v = 1 meet the last row and column, which repeat their neighbours.
 static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, Colour everywhere, std::size_t threads) {
@@ -106,7 +96,7 @@ static EnvironmentMap average(const EnvironmentMap& finer, double solid_angle, C
 }
 
 PrefilteredEnvironment::PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads)
-    : sun(not_too_bright(map)),
+    : sun(map),
       tables_{{0, sun.sky(map)}},
       sky_irradiance_(irradiance_table(fluxes(*tables_[0].means, 0), 64, threads)),
       sun_irradiance_(irradiance_table(fluxes(map, sun.least()), sun.empty() ? 1 : 128, threads)) {
@@ -158,7 +148,8 @@ static Colour visible_sky(const EnvironmentMap& means, const Hit& hit, const Qua
 
 // The sky's rules: of all n samples, and where there is a sun, of fewer. The sun's part grows by a quarter from one to
 // the next, or the sky's shrinks by a quarter, whichever is the smaller step. The time to make a rule grows like n^3:
-// of many samples, the largest has about the sky's share of the light, and all steps are a quarter.
+// of many samples, the largest leaves out three quarters of the sun's share, even where the sun has set, and all steps
+// are a quarter.
 static std::vector<PixelRules> sky_rules(const Sun& sun, RenderSettings settings) {
     const std::size_t all = settings.samples;
     const bool many = all > 200;

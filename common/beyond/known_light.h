@@ -26,7 +26,7 @@ namespace bmc::beyond {
 struct PrefilteredEnvironment {
     Sun sun;  // has no part in the means over caps
 
-    // The map must outlive it. threads: how many to use. Throws std::runtime_error if a radiance exceeds 1e36.
+    // The map must outlive it. threads: how many to use.
     explicit PrefilteredEnvironment(const EnvironmentMap& map, std::size_t threads = 1);
 
     // The table whose caps are nearest in size, by ratio, to this solid angle > 0. There are tables for pi, pi / 4,
@@ -74,6 +74,7 @@ struct SampleCounts {
 SampleCounts share_out(const Sun& sun, Colour by_sky, Colour by_sun, std::size_t samples);
 
 // The colour of each point of a picture. The environment must outlive it. The sky does not have a rule of every size: a
-// pixel takes the next smaller one, and gives the rest to the sun. Throws what the Gaussian processes throw.
+// pixel takes the next smaller one, and gives the rest to the sun, if it sees that. Throws what the Gaussian processes
+// throw.
 Shader light_shader(const EnvironmentLight& light, RenderSettings settings);
 }  // namespace bmc::beyond

@@ -27,7 +27,7 @@ void Request::advise(const EnvironmentMap& map) const {
 Image Request::image(const EnvironmentMap& map) const {
     if (is_plain()) return PictureRequest::image(map);
     const EnvironmentLight light(map, light_known, settings.threads);
-    // A quotient of sums, where the light is known, has no errors that weights could be warned of.
+    // Where the light is known, the quotient cancels what warned_picture warns of.
     Image image = light_known ? render(map, settings, light_shader(light, settings)) : warned_picture(map, settings);
     if (show == Show::picture) return image;
     const Image errors = predicted_errors(image, render(map, settings, better_shader(light, settings)));

@@ -27,7 +27,7 @@ struct Option {
     std::string argument;                         // what stands for its value in the help; empty if it takes none
     std::string description;                      // a line
     std::function<void(const std::string&)> set;  // throws std::invalid_argument
-    std::vector<std::pair<std::string, std::function<bool()>>> idle = {};  // "with --rmse", and whether that is so
+    std::vector<std::pair<std::string, std::function<bool()>>> idle = {};  // "with --method mc", and whether that is so
 };
 
 // An option whose values have names; the usual one is its default.
@@ -58,7 +58,7 @@ struct Options {
                    [&value](std::size_t chosen) { value = static_cast<T>(chosen); }));
     }
 
-    // The options of these names change nothing "with --rmse", where that holds.
+    // The options of these names change nothing "with --method mc", where that holds.
     void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds);
 };
 

@@ -19,10 +19,8 @@ static Integrand constant() {
 }
 
 std::vector<NamedIntegrand> named_integrands() {
-    return {{"cosine", true, cosine},
-            {"cosine-cubed", true, cosine_cubed},
-            {"environment", true, built_in_light},
-            {"constant", true, constant}};
+    return {
+        {"cosine", cosine}, {"cosine-cubed", cosine_cubed}, {"environment", built_in_light}, {"constant", constant}};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {

@@ -19,7 +19,6 @@ struct Integrand {
 // An integrand that the workbench knows by name. It is made when it is wanted: a light takes time.
 struct NamedIntegrand {
     const char* name;
-    bool in_practice;  // is one of the practice's four: cos(theta), cos(theta)^3, that of the built-in light, and 1
     Integrand (*make)();
 };
 std::vector<NamedIntegrand> named_integrands();

@@ -147,9 +147,10 @@ inline constexpr const char* sample_set_names[] = {"random", "duplicates", "equa
 std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 
 // stability: where the arithmetic of a Gaussian process breaks. How many digits of its weights are right at the
-// extremes of the number of samples, the noise, the covariance and the sample set. Rotating all directions about the up
-// axis must not change a weight (covariance.h), nor must three times the covariance and the squared noise, but they
-// change every rounding error. The digits that stay the same are right: a test compares them with weights of 128 bits.
+// extremes of the number of samples, the noise, the covariance and the sample set. Neither another order of the
+// directions nor their rotation about the up axis must change a weight (covariance.h), nor must three times the
+// covariance and the squared noise, but they change every rounding error. The digits that stay the same are right: a
+// test compares them with weights of 128 bits.
 struct StabilityReport : Experiment {
     std::vector<std::size_t> sample_counts{1, 2, 10, 100, 1000};  // of the random directions with Sobolev 3/2
 

@@ -28,7 +28,7 @@ static double rounding(const GaussianProcess& process, const std::vector<double>
 static std::string right_digits(double number, double error, int most) {
     int digits = 0;
     for (double scaled = 10 * error; digits < most && !(scaled > std::fabs(number)); scaled *= 10) ++digits;
-    return digits > 0 ? formatted("%.*g", digits, number) : formatted("0 +- %.0e by rounding", error);
+    return digits > 0 ? formatted("%.*g", digits, number) : formatted("0 +- %.0e by rounding", 10 * error);
 }
 
 // The sum of weights times values.

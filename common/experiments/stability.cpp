@@ -94,7 +94,7 @@ void StabilityReport::add_options(Options& options) { add_sample_list(options, s
 std::string StabilityReport::report() const {
     std::string text =
         R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
-# directions are rotated about the up axis, and covariance and squared noise are three times as large, which
+# directions are reversed and rotated about the up axis, covariance and squared noise three times as large, which
 # must not change a weight (nan: no factor of the matrix). Then the noise gain, about 1 for Monte Carlo; above 2,
 # pictures are usually worse than Monte Carlo's.
 #                                                   digits at a noise of               gain at a noise of

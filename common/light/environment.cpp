@@ -113,7 +113,8 @@ EnvironmentMap read_radiance_hdr(std::istream& in) {
         // Without an exposure this is exact: a mantissa has 8 bits, and 2^-135 is 2^14 times the smallest float.
         const double unit = exponent == 0 ? 0 : std::ldexp(1.0, exponent - 136);
         const Colour colour{red * unit / exposure, green * unit / exposure, blue * unit / exposure};
-        if (!(std::max({colour.x, colour.y, colour.z}) <= FLT_MAX)) throw std::runtime_error("a radiance is too large");
+        if (!(std::max({colour.x, colour.y, colour.z}) <= 1e36))  // whose integrals are floats, too
+            throw std::runtime_error("a radiance exceeds 1e36");
         map.set(i % width, i / width, colour);
     }
     return map;

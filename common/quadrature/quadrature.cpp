@@ -57,9 +57,9 @@ std::shared_ptr<const Covariance> ModelSettings::make_covariance() const {
     if (in_closed_form) return std::make_shared<Sobolev>();
     switch (covariance) {
         case CovarianceFamily::sobolev: return std::make_shared<GeneralSobolev>(smoothness);
-        case CovarianceFamily::squared_exponential: break;
+        case CovarianceFamily::squared_exponential: return std::make_shared<SquaredExponential>(length_scale);
     }
-    return std::make_shared<SquaredExponential>(length_scale);
+    throw std::logic_error("a covariance has a name and no class");
 }
 
 // BEGIN SOLUTION shade

@@ -29,7 +29,8 @@ struct Content {
 inline std::string next_word(const std::string& bytes, std::size_t& at) {
     std::string word;
     for (; at < bytes.size(); ++at) {
-        if (bytes[at] == '#') at = std::min(bytes.find('\n', at), bytes.size() - 1);
+        if (bytes[at] == '#') at = std::min(bytes.find('\n', at), bytes.size());
+        if (at == bytes.size()) break;
         if (std::isspace(static_cast<unsigned char>(bytes[at])) == 0)
             word += bytes[at];
         else if (!word.empty())

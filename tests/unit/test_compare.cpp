@@ -53,7 +53,7 @@ TEST_CASE("pictures differ at their first pixel, and by their errors there; one 
 
 TEST_CASE("the same numbers in another form are the same picture") {
     for (const char* other : {"P6 2 1\n255\nabcdef", "P6\n# by\n#GIMP\n2#1\n1\n# 8\n255# bits\nabcdef",
-                              "P3\n2 1\n255\n97 98 99 # red\n100 101\n102"})
+                              "P3\n2 1\n255\n97 98 99 # red\n100 101\n102 # end"})
         CHECK(difference(ppm("abcdef"), other, 0) == "");
     const std::string one("P6 1 1 65535\n\0\1\0\1\0\1", 19), two("P6 1 1 65535\n\0\1\1\2\0\1", 19);
     CHECK(difference(one, two, 0) == Containing{"reference 1, here 258; 1 of 1 pixels differ; there the RMSE is 0.00"});

@@ -8,7 +8,7 @@ constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = Covari
 TEST_CASE("the M and z of every covariance with a name agree with its k") {
     for (std::size_t family = 0; family < std::size(covariance_names); ++family) {
         const auto covariance = covariance_of(static_cast<CovarianceFamily>(family), 1.5);
-        INFO(covariance_names[family]);
+        INFO(std::string(covariance_names[family]));
         for (const double b : {0.01, 0.7, 2.0}) {
             CAPTURE(b);
             double mean = 0;

@@ -34,9 +34,9 @@ static const std::string coded = bytes_of({2, 2, 0, 8, 131, 128, 5,   1, 2,   3,
                                            6, 7, 8, 9, 10,  131, 128, 5, 255, 254, 253, 252, 251, 136, 136});
 
 TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exponent 0, even if it looks coded") {
-    const std::string texels = bytes_of({128, 64, 1, 129, 200, 100, 50, 0, 255, 1, 0, 255, 255, 1, 128, 1});
+    const std::string texels = bytes_of({128, 64, 1, 129, 200, 100, 50, 0, 255, 1, 0, 247, 255, 1, 128, 1});
     CHECK(channels(read_hdr(hdr("-Y 1 +X 4", texels))) ==
-          std::vector<double>{1, 0.5, 0x1p-7, 0, 0, 0, 0x1.fep126, 0x1p119, 0, 255 * 0x1p-135, 0x1p-135, 0x1p-128});
+          std::vector<double>{1, 0.5, 0x1p-7, 0, 0, 0, 0x1.fep118, 0x1p111, 0, 255 * 0x1p-135, 0x1p-135, 0x1p-128});
     CHECK(channels(read_hdr(hdr("-Y 1 +X 2", bytes_of({2, 2, 0, 136, 2, 2, 2, 136}))))[4] == 2);
     CHECK(channels(read_hdr(hdr("-Y 1 +X 8", bytes_of({2, 2, 128, 136}) + std::string(28, '\3'))))[2] == 128);
 }
@@ -103,6 +103,7 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
     row_refused({2, 2, 0, 9}, "a scanline has a wrong width");
     row_refused({2, 2, 1, 8}, "a scanline has a wrong width");
     row_refused({2, 2, 0, 8, 136}, "the file ends inside a scanline");
+    refused(hdr("-Y 1 +X 1", bytes_of({1, 2, 1, 255})), "a radiance exceeds 1e36");
 }
 
 TEST_CASE("an error of reading is not the end of a map, wherever it is") {

@@ -86,6 +86,7 @@ TEST_CASE("an estimate that is too large fails, and an error bar that is only ro
     for (const Vec3& w : some_directions(40)) lines += formatted("%.17g %.17g %.17g 1\n", w.x, w.y, w.z);
     CHECK(report(lines, "1e-7") == Containing{"error bar unknown: what is left of the variance may be rounding"});
     CHECK(report(lines, "1e-2") == Containing{"error bar 0.0"});
+    CHECK(rule_report("0.6 0.8 0 1\n-0.6 0.8 0 -1\n") == Containing{"estimate 0 +- 1e-13 by rounding"});
     CHECK(rule_report("0 1 0 0\n") == Containing{"amplitude 0, error bar unknown: the values are 0, or too"});
     CHECK(rule_report("0 1 0 5e-324\n") == Containing{"error bar unknown: the values are 0, or too small"});
     CHECK(rule_report("0 1 0 1e154\n") == Containing{"estimate 4.06"});
