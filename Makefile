@@ -21,9 +21,6 @@ $(BUILD)/%.o: %.cpp $(BUILD)/settings
 	@mkdir -p $(@D)
 	$(call say,CXX $<) $(COMPILE) $(EXTRA) -MMD -MP -c $< -o $@
 
-# Both programs include headers of common/beyond if it exists: the folder common changes when it comes or goes.
-$(BUILD)/workbench.o $(BUILD)/renderer.o: common
-
 clean:
 	$(if $(wildcard $(BUILD)/settings),rm -rf $(BUILD) $(BIN)/workbench $(BIN)/renderer)
 

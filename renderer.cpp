@@ -3,17 +3,9 @@
 
 #include "scene/picture_request.h"
 
-// The folder common/beyond brings options and pictures that go beyond the practice.
-#if __has_include("beyond/request.h")
-#include "beyond/request.h"
-using Request = bmc::beyond::Request;
-#else
-using Request = bmc::PictureRequest;
-#endif
-
 int main(int argc, char** argv) {
     return bmc::run_program("renderer", [&] {
-        Request request;
+        bmc::PictureRequest request;
         return bmc::run_command({"", "", request, "out.ppm"},
                                 R"(usage: ./renderer [options] > out.ppm
        ./renderer --method direct --samples 20 --size 100 > direct.ppm

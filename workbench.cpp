@@ -7,15 +7,6 @@
 
 #include <algorithm>
 
-// The folder common/beyond brings more commands.
-#if __has_include("beyond/known_light_cost.h")
-#include "beyond/known_light_cost.h"
-#else
-namespace bmc::beyond {
-inline std::vector<Command> commands() { return {}; }
-}  // namespace bmc::beyond
-#endif
-
 using namespace bmc;
 
 static std::string run(int argc, char** argv) {
@@ -26,14 +17,16 @@ static std::string run(int argc, char** argv) {
     TradeoffReport tradeoff;
     ModelsReport models;
     StabilityReport stability;
-    std::vector<Command> commands{{"", "errors of Monte Carlo and Bayesian MC", tables},
-                                  {"rule", "directions and weights of a rule", rule},
-                                  {"belief", "what a Gaussian process believes, > belief.ppm", belief, "belief.ppm"},
-                                  {"light", "an environment as a PFM file, > desert.pfm", light, "desert.pfm"},
-                                  {"tradeoff", "what accuracy costs", tradeoff},
-                                  {"models", "covariances and noise compared", models},
-                                  {"stability", "where the arithmetic breaks", stability}};
-    for (const Command& command : beyond::commands()) commands.push_back(command);
+    KnownLightReport known_light;
+    const std::vector<Command> commands{
+        {"", "errors of Monte Carlo and Bayesian MC", tables},
+        {"rule", "directions and weights of a rule", rule},
+        {"belief", "what a Gaussian process believes, > belief.ppm", belief, "belief.ppm"},
+        {"light", "an environment as a PFM file, > desert.pfm", light, "desert.pfm"},
+        {"tradeoff", "what accuracy costs", tradeoff},
+        {"models", "covariances and noise compared", models},
+        {"stability", "where the arithmetic breaks", stability},
+        {"known-light", "what you gain by knowing the light", known_light}};
     const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";  // "": no command
     std::string names, usages;
     for (const Command& command : commands) {

@@ -58,14 +58,20 @@ Option choice(const char* name, const std::vector<std::string>& names, std::size
             }};
 }
 
-void add_model_options(Options& options, ModelSettings& s) {
+void add_model_options(Options& options, ModelSettings& s, bool* light_known) {
     options.add("covariance", covariance_names, s.covariance);
     options.add("smoothness", "X", "of sobolev, between 1 and 2", s.smoothness, min_smoothness, max_smoothness);
     options.add("length-scale", "X", "of the other covariances, from 0.05", s.length_scale, min_length_scale,
                 max_length_scale);
     options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
-    options.add(choice("known", {std::begin(known_part_names), std::end(known_part_names)}, 0, known_remark,
-                       [&s](std::size_t chosen) { s.known_part = static_cast<KnownPart>(chosen); }));
+    std::vector<std::string> known{std::begin(known_part_names), std::end(known_part_names)};
+    if (light_known) known.push_back("light");
+    options.add(choice("known", known, 0,
+                       ": known part of the integrand; a cosine placement makes it cosine unless given",
+                       [=, &s](std::size_t chosen) {
+                           s.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
+                           if (light_known) *light_known = chosen == 2;
+                       }));
     std::vector<std::string> placements;
     for (const Placement placement : all_placements()) placements.push_back(placement.name());
     options.add(

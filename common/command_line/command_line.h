@@ -40,7 +40,6 @@ struct Options {
 
     void add(Option option);
     Option& named(const std::string& name);  // the one of this name
-    void replace(Option option) { named(option.name) = std::move(option); }
 
     // Adds an option that sets a text, a switch, a number from low to high, or a value that has a name. The description
     // ends with the default, if that is not empty.
@@ -65,10 +64,9 @@ struct Options {
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
 inline constexpr std::size_t max_process_samples = 4096;
 
-// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed.
-void add_model_options(Options& options, ModelSettings& settings);
-inline constexpr const char* known_remark =
-    ": known part of the integrand; a cosine placement makes it cosine unless given";
+// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. With
+// light_known the light can be known, too, beside the cosine.
+void add_model_options(Options& options, ModelSettings& settings, bool* light_known = nullptr);
 
 // Adds the option samples, which takes a list such as 10,20,40; each number is at most max_process_samples.
 void add_sample_list(Options& options, std::vector<std::size_t>& samples);

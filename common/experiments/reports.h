@@ -125,6 +125,11 @@ struct TradeoffReport : PictureReport {
     std::string table(const std::string& name, const EnvironmentMap& light) const override;
 };
 
+// known-light: what is gained by knowing the light, and by what else renderers do with a light that they know.
+struct KnownLightReport : PictureReport {
+    std::string table(const std::string& name, const EnvironmentMap& light) const override;
+};
+
 // models: which covariance and which noise the scene requires. It compares their errors, which takes the truth, their
 // evidence, which does not, and the errors that they predict.
 struct ModelsReport : Experiment {

@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "light/texels_on_sphere.h"
+#include "scene/known_light.h"
 
 namespace bmc {
 // The standard deviation of the light over its mean, where a direction counts by cos(theta) on the rectangle, whose
@@ -90,7 +91,7 @@ void PictureRequest::add_options(Options& options) {
     options.add("method", method_names, settings.method);
     options.add("samples", "N", "directions per pixel", settings.samples, 1, max_process_samples);
     options.add("pool", "K", "Gaussian processes of --method pool", settings.pool, 1, 1000);
-    add_model_options(options, settings);
+    add_model_options(options, settings, &light_known);
     options.add({"size", "WxH",
                  formatted("in pixels, or W for a square (default %dx%d)", settings.width, settings.height),
                  [this](const std::string& text) { set_size(settings, text); }});
@@ -99,8 +100,9 @@ void PictureRequest::add_options(Options& options) {
     options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
     options.add({"threads", "T", "number of threads; the picture does not change (default: all processors)",
                  [this](const std::string& text) { settings.threads = parse<std::size_t>(text, 1, 256); }});
-    options.make_idle({"covariance", "smoothness", "length-scale", "noise", "known"}, "with --method mc",
+    options.make_idle({"covariance", "smoothness", "length-scale", "noise"}, "with --method mc",
                       [this] { return settings.method == Method::mc; });
+    options.make_idle({"known"}, "with --method mc", [this] { return settings.method == Method::mc && !light_known; });
     options.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
     options.make_idle({"pool"}, "with a lattice or an optimised set", [this] { return settings.placement.is_fixed(); });
     options.make_idle({"exposure"}, "with --format pfm", [this] { return format == Format::pfm; });
@@ -108,8 +110,10 @@ void PictureRequest::add_options(Options& options) {
 
 std::string PictureRequest::report() const {
     const EnvironmentMap light = load_environment(environment, settings.threads);
-    advise(light);
-    Image picture = image(light);
+    if (!light_known && note_missed_light(light, settings.samples)) print_note("note: --known light models this light");
+    // A known light is a quotient, which cancels what warned_picture warns of.
+    Image picture =
+        light_known ? render(light, settings, known_light_shader(light, settings)) : warned_picture(light, settings);
     if (format != Format::pfm) {
         const double factor = portable::pow(2, exposure);
         for (Colour& pixel : picture.pixels) pixel = factor * pixel;
@@ -117,8 +121,4 @@ std::string PictureRequest::report() const {
     }
     return encode(picture, format);
 }
-
-void PictureRequest::advise(const EnvironmentMap& light) const { note_missed_light(light, settings.samples); }
-
-Image PictureRequest::image(const EnvironmentMap& light) const { return warned_picture(light, settings); }
 }  // namespace bmc

@@ -9,6 +9,7 @@
 namespace bmc {
 struct PictureRequest : Experiment {
     RenderSettings settings;
+    bool light_known = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
     std::string environment = built_in_lights[0];
     Format format = Format::ppm;
     double exposure = 0;  // in stops
@@ -16,13 +17,7 @@ struct PictureRequest : Experiment {
     void add_options(Options& options) override;
 
     // The image as a file; a PPM or BMP has 2^exposure times the radiance. Throws what the Gaussian processes throw.
-    std::string report() const final;
-
-    // Prints what to expect of the picture in this light.
-    virtual void advise(const EnvironmentMap& light) const;
-
-    // The image of linear radiance in this light.
-    virtual Image image(const EnvironmentMap& light) const;
+    std::string report() const override;
 };
 
 // If this many samples in random directions miss this light, prints a note that says how uneven it is; returns whether

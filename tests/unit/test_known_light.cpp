@@ -1,41 +1,149 @@
-#include "beyond/known_light.h"
+#include "scene/known_light.h"
+
+#include "experiments/reports.h"
+#include "light/texels_on_sphere.h"
+#include "scene/picture_request.h"
 #include "test.h"
 
-using namespace bmc::beyond;
+#include <map>
+#include <sstream>
 
-static std::vector<std::size_t> shared_out(const PrefilteredEnvironment& light, Vec3 normal, std::size_t samples) {
-    const SampleCounts counts =
-        share_out(light.sun, light.sky_irradiance(normal), light.sun_irradiance(normal), samples);
-    return {counts.sky, counts.sun};
+// The light 1 + w.slope, and beside it the light 1.
+static const Vec3 slope{0.48, -0.64, 0.6};
+static EnvironmentMap linear_map(int columns, int rows) {
+    return map_of(columns + 1, rows + 1, [=](int x, int y) {
+        return Colour{1 + dot(towards((x + 0.5) / columns, (y + 0.5) / rows), slope), 1, 0};
+    });
 }
 
-// Of two parts x and y with errors in proportion to 1 / n^(5/6), the sum of squares is least at shares like x^(3/4).
-TEST_CASE("the shares of sky and sun are (E d)^(3/4), at least 1 sample each, and no sun where it has set") {
-    const EnvironmentMap map = sunny_map(), even = even_map(2, 2, 1);
-    const PrefilteredEnvironment sunny(map), dim(even);
-    const Vec3 high = sunny.sun.ray(0.5, 0.5).direction, low = normalize(Vec3{-high.y, high.x, 0} + 0.1 * high);
-    for (const Vec3& normal : {high, low})
-        for (const std::size_t samples : {1u, 2u, 5u, 10u, 40u}) {
-            INFO("samples: ", samples);
-            const double deviation = 0.4 * std::pow(sunny.sun.spread(), 0.25),
-                         ratio = deviation * brightness(sunny.sun_irradiance(normal)) /
-                                 brightness(sunny.sky_irradiance(normal)),
-                         part = std::pow(ratio, 0.75) / (1 + std::pow(ratio, 0.75));
-            const auto rays = std::max<std::size_t>(1, std::size_t(std::lround(part * static_cast<double>(samples))));
-            CHECK(shared_out(sunny, normal, samples) == std::vector{std::max(samples, rays + 1) - rays, rays});
-        }
-    CHECK(shared_out(sunny, low, 40)[1] < shared_out(sunny, high, 40)[1]);
-    CHECK(shared_out(sunny, -1 * high, 40) == std::vector<std::size_t>{40, 0});
-    CHECK(shared_out(dim, high, 40) == std::vector<std::size_t>{40, 0});
+static Colour at(const EnvironmentMap& map, Vec3 d) {
+    return map.interpolated(map.column(d.x, d.z), map.row(d.y));
+}
+
+// The integral of (1 + w.slope) cos(theta) is pi + (2 pi / 3) n.slope.
+TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any size of map") {
+    const std::vector<Vec3> normals = all_around(100);
+    const auto irradiance_of = [](const EnvironmentMap& map) {
+        return light_around(cells_of_light(map, infinity, 48), 0, 48, 0, 2);
+    };
+    const EnvironmentMap linear = irradiance_of(linear_map(300, 150)), texel = irradiance_of(even_map(1, 1, 1));
+    for (const Vec3& n : normals) {
+        CAPTURE(n);
+        CHECK(std::fabs(at(linear, n).x - (pi + 2 * pi / 3 * dot(n, slope))) < 1e-3 * 5 * pi / 3);
+        CHECK(relative(at(linear, n).y, pi) < 2e-3);
+        CHECK(relative(at(texel, n).z, pi) < 2e-3);
+    }
+}
+
+// The integral of max(w.n - h, 0) is pi (1 - h)^2, and that of w.n times it pi (1 - h)^2 (2 + h) / 3.
+TEST_CASE("a cone has the light around its direction, weighted by a tent, within 2 % of the largest light") {
+    const double h = 1 - 2.0 / 40;
+    const EnvironmentMap around = light_around(cells_of_light(linear_map(512, 256), infinity, 48), h, 48, 0.5, 2);
+    for (int i = 0; i < 96 * 48; ++i) {
+        const Vec3 n = towards((i % 96 + 0.5) / 96, (i / 96 + 0.5) / 48);
+        CAPTURE(n);
+        const double mean = 1 + (2 + h) / 3 * dot(n, slope);
+        CHECK(std::fabs(around.radiance(n).x / (pi * (1 - h) * (1 - h)) - mean) < 0.04);
+    }
+}
+
+TEST_CASE("cells and points part the light of the map, without loss") {
+    const EnvironmentMap map = sunny_map();
+    const double limit = 10 * mean_over_directions(map, brightness);
+    Colour sum;
+    for (const Lamp& cell : cells_of_light(map, limit, 5)) sum += cell.light;
+    const std::vector<Lamp> points = points_of_light(map, limit, 77);
+    CHECK(points.size() == 77);
+    for (const Lamp& point : points) {
+        sum += point.light;
+        CHECK(relative(brightness(point.light), brightness(points[0].light)) < 1e-12);
+        CHECK(brightness(map.radiance(point.direction)) > limit);
+    }
+    CHECK(relative(brightness(sum), 4 * pi * mean_over_directions(map, brightness)) < 1e-12);
+    CHECK(points_of_light(even_map(4, 4, 1), 31, 77).empty());
+}
+
+// Of two pieces of a map the second one is passed after the first, however wide the map is.
+TEST_CASE("the points pass the texels in Morton's order, each evenly") {
+    const EnvironmentMap map = map_of(8193, 9, [](int x, int y) {
+        return (x % 4096 < 4 && x < 8192 && y / 2 == 1) * Colour{1, 1, 1};
+    });
+    std::vector<int> passed;  // 100 piece + 10 row + column
+    double mean_y = 0;
+    for (const Lamp& point : points_of_light(map, 0, 3200)) {
+        const int i = map.index(point.direction) - 1, x = i % 8193;
+        const int place = x / 4096 * 100 + i / 8193 * 10 + x % 4096;
+        if (passed.empty() || passed.back() != place) passed.push_back(place);
+        mean_y += point.direction.y / 3200;
+    }
+    CHECK(passed == std::vector<int>{20, 21, 30, 31, 22, 23, 32, 33, 120, 121, 130, 131, 122, 123, 132, 133});
+    CHECK(std::fabs(mean_y - 0.5 * std::cos(pi / 4)) < 0.01);  // y is even between the rows' edges, 1/4 and 1/2 of pi
+}
+
+TEST_CASE("a fraction is visible over all light, from 0 to 1, and 1 where there is no light") {
+    CHECK(fraction({1, -2, 16}, {2, -1, 8}) == Vec3{0.5, 1, 1});
+    CHECK(fraction({0, -1, 0}, {0, 1, 1}) == Vec3{1, 0, 0});
 }
 
 // Of three rays the sphere often stops all: under an even light in 2 % of the pixels.
 TEST_CASE("no point is black under a light that comes from everywhere") {
-    const EnvironmentMap map = even_map(2, 2, 1);
     const RenderSettings settings = small_picture(Method::mc, 3, 100, {PointSet::optimised, KnownPart::cosine});
-    const Shader shader = light_shader({map, true, 1}, settings);
+    const Shader shader = known_light_shader(even_map(2, 2, 1), settings);
     double least = infinity;
     for_each_hit(sphere_scene, {100, 100},
                  [&](int x, int y, const Hit& hit) { least = std::min(least, shader(hit, x, y).y); });
     CHECK(least > 0.01);
+}
+
+// Points of equal light, and no quotient.
+static Image truth_of(const EnvironmentMap& map, const RenderSettings& settings) {
+    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 15);
+    return render(map, settings, [&](const Hit& hit, int, int) {
+        Colour sum;
+        for (const auto& [direction, light] : lamps)
+            if (!is_shadowed(sphere_scene, hit, direction)) sum += std::max(0.0, dot(hit.normal, direction)) * light;
+        return 1 / pi * (hit.albedo * sum);
+    });
+}
+
+TEST_CASE("a known light has six tenths of the error of an unknown one, for any number of samples, and under a sun less") {
+    for (const std::size_t samples : {1u, 2u, 5u, 40u}) {
+        CAPTURE(samples);
+        const RenderSettings settings =
+            small_picture(Method::mc, samples, 24, {PointSet::optimised, KnownPart::cosine});
+        for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
+            const Image truth = truth_of(map, settings);
+            const double known = image_error(render(map, settings, known_light_shader(map, settings)), truth).rmse;
+            const double unknown =
+                image_error(render(map, settings, environment_shader(map, PixelRules(settings))), truth).rmse;
+            CHECK(known < (map.width == 16 ? 0.6 : 0.15) * unknown);
+        }
+    }
+}
+
+TEST_CASE("of two known parts the last one counts") {
+    PictureRequest request;
+    Options options;
+    request.add_options(options);
+    parse({"--known=light", "--known=cosine"}, options);
+    CHECK(request.settings.known_part == KnownPart::cosine);
+    CHECK(!request.light_known);
+}
+
+// Under a sun and a sky, of which about half of the samples see one each.
+TEST_CASE("known-light compares: the quotient of mis has at most half of its error, and the known light still less") {
+    KnownLightReport report;
+    report.costs.size = 8;
+    report.costs.untimed = true;
+    report.sample_counts = {10};
+    std::istringstream rows(report.table("bright-desert", built_in_light(BuiltInLight::bright_desert)));
+    std::map<std::string, double> error;  // of each method, the last row of it
+    for (std::string line, method, word; std::getline(rows, line);) {
+        std::istringstream words(line);
+        words >> method >> word >> word >> word >> word;
+        if (method != "#") words >> error[method];
+    }
+    CHECK(error["mis-ratio"] < 0.5 * error["mis"]);
+    CHECK(error["pool"] < error["mis-ratio"]);
+    CHECK(error["mis"] < 0.1 * error["mc"]);
 }
