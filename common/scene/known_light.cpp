@@ -11,15 +11,18 @@ std::vector<Lamp> cells_of_light(const EnvironmentMap& map, double most, int row
     std::vector<portable::SineCosine> azimuths;
     for (int column = 0; column < texels.columns; ++column) azimuths.push_back(texels.azimuth(column + 0.5));
     std::vector<Lamp> cells(static_cast<std::size_t>(2 * rows * rows)), lit;
-    for (int row = 0; row < texels.rows; ++row)
+    for (int row = 0; row < texels.rows; ++row) {
+        const portable::SineCosine polar = texels.polar(row + 0.5);
+        const double solid_angle = texels.solid_angle(row);
         for (int column = 0; column < texels.columns; ++column) {
-            if (brightness(texels(row, column)) > most) continue;
+            const Colour radiance = texels(row, column), light = solid_angle * radiance;
+            if (brightness(radiance) > most) continue;
             Lamp& cell =
                 cells[part(row, texels.rows, rows) * part(2, 1, rows) + part(column, texels.columns, 2 * rows)];
-            const Colour light = texels.solid_angle(row) * texels(row, column);
-            cell.direction += brightness(light) * direction_of(texels.polar(row + 0.5), azimuths[std::size_t(column)]);
+            cell.direction += brightness(light) * direction_of(polar, azimuths[std::size_t(column)]);
             cell.light += light;
         }
+    }
     for (const auto& [direction, light] : cells)
         if (brightness(light) > 0) lit.push_back({1 / brightness(light) * direction, light});
     return lit;
@@ -127,17 +130,11 @@ static Colour visible_sun(const std::vector<Lamp>& sun, const Hit& hit, std::siz
     return fraction(visible_sum, sum);
 }
 
-// The deviation of the sun's visibility, if that of the sky's is 1: the smaller the sun, the fewer pixels see an edge
-// of a shadow cross it. The shorter the mean of its directions, the larger it is.
-static double deviation(const std::vector<Lamp>& sun) {
-    Vec3 mean;
-    for (const Lamp& point : sun) mean += 1 / static_cast<double>(sun.size()) * point.direction;
-    return 0.4 * std::sqrt(std::sqrt(std::sqrt(std::max(1 - dot(mean, mean), 1e-12))));
-}
-
 // A pixel's rays are shared out in proportion to E(n) times the deviation of v (Neyman, "On the two different aspects
 // of the representative method", Journal of the Royal Statistical Society 97(4), 1934). The sky has rules of a quarter,
-// three eighths, ..., all of the samples: a pixel takes one of at most its share, and gives the rest to the sun.
+// three eighths, ..., all of the samples: a pixel takes one of at most its share, and gives the rest to the sun. The
+// deviation is 1 for the sky, and less for a smaller sun, as fewer pixels see an edge of a shadow cross it; the shorter
+// the mean of its directions, the larger it is.
 Shader known_light_shader(const EnvironmentMap& map, RenderSettings settings) {
     const double bright = 10 * mean_over_directions(map, brightness), samples = static_cast<double>(settings.samples);
     const int rows = std::max(48, static_cast<int>(4 * std::sqrt(samples)));  // eight to the width of a cone
@@ -146,17 +143,20 @@ Shader known_light_shader(const EnvironmentMap& map, RenderSettings settings) {
     const EnvironmentMap by_sky = light_around(sky, 0, 48, 0, settings.threads);
     const EnvironmentMap by_sun = light_around(sun, 0, 128, 0, settings.threads);
     const EnvironmentMap around = light_around(sky, 1 - 2 / samples, rows, 0.5, settings.threads);
+    Vec3 mean;
+    for (const Lamp& point : sun) mean += 1 / static_cast<double>(sun.size()) * point.direction;
+    const double deviation = 0.4 * std::sqrt(std::sqrt(std::sqrt(std::max(1 - dot(mean, mean), 1e-12))));
     std::vector<PixelRules> rules;  // the largest first
     for (std::size_t all = settings.samples, eighths = 8; eighths >= (sun.empty() ? 8 : 2); --eighths) {
         settings.samples = std::max<std::size_t>(1, all * eighths / 8);
         rules.emplace_back(settings);
     }
-    return [=, sun_deviation = deviation(sun)](const Hit& hit, int x, int y) {
+    return [=](const Hit& hit, int x, int y) {
         const auto at_normal = [&](const EnvironmentMap& table) {
             return table.interpolated(table.column(hit.normal.x, hit.normal.z), table.row(hit.normal.y));
         };
         const Colour sky_irradiance = at_normal(by_sky), sun_irradiance = at_normal(by_sun);
-        const double sky_part = brightness(sky_irradiance), sun_part = sun_deviation * brightness(sun_irradiance);
+        const double sky_part = brightness(sky_irradiance), sun_part = deviation * brightness(sun_irradiance);
         const PixelRules* rule = &rules.front();
         while (sun_part > 0 && rule != &rules.back() &&
                static_cast<double>(rule->settings.samples) > samples * sky_part / (sky_part + sun_part) + 0.5)
