@@ -5,9 +5,7 @@
 
 int main(int argc, char** argv) {
     return bmc::run_program("renderer", [&] {
-        bmc::PictureRequest request;
-        return bmc::run_command({"", "", request, "out.ppm"},
-                                R"(usage: ./renderer [options] > out.ppm
+        bmc::Arguments arguments{{argv, argv + argc}, R"(usage: ./renderer [options] > out.ppm
        ./renderer --method direct --samples 20 --size 100 > direct.ppm
 
 Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo. The methods:
@@ -16,7 +14,7 @@ Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo. The methods:
   single   one Gaussian process for all pixels, turned to the normal
   rotated  the same, rotated about the normal by a random angle in each pixel
   pool     in each pixel one of several Gaussian processes, rotated by a random angle
-)",
-                                argc, argv);
+)"};
+        return bmc::PictureRequest().report(arguments);
     });
 }

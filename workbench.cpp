@@ -9,25 +9,16 @@
 
 using namespace bmc;
 
-static std::string run(int argc, char** argv) {
-    ErrorTables tables;
-    RuleReport rule;
-    Belief belief;
-    LightFile light;
-    TradeoffReport tradeoff;
-    ModelsReport models;
-    StabilityReport stability;
-    KnownLightReport known_light;
-    const std::vector<Command> commands{
-        {"", "errors of Monte Carlo and Bayesian MC", tables},
-        {"rule", "directions and weights of a rule", rule},
-        {"belief", "what a Gaussian process believes, > belief.ppm", belief, "belief.ppm"},
-        {"light", "an environment as a PFM file, > desert.pfm", light, "desert.pfm"},
-        {"tradeoff", "what accuracy costs", tradeoff},
-        {"models", "covariances and noise compared", models},
-        {"stability", "where the arithmetic breaks", stability},
-        {"known-light", "what you gain by knowing the light", known_light}};
-    const std::string name = argc > 1 && *argv[1] != '-' ? argv[1] : "";  // "": no command
+static std::string run(std::vector<std::string> words) {
+    const std::vector<Command> commands{{"", "errors of Monte Carlo and Bayesian MC", error_tables},
+                                        {"rule", "directions and weights of a rule", rule_report},
+                                        {"belief", "what a Gaussian process believes, > belief.ppm", belief_discs},
+                                        {"light", "an environment as a PFM file, > desert.pfm", light_file},
+                                        {"tradeoff", "what accuracy costs", tradeoff_report},
+                                        {"models", "covariances and noise compared", models_report},
+                                        {"stability", "where the arithmetic breaks", stability_report},
+                                        {"known-light", "what you gain by knowing the light", known_light_report}};
+    const std::string name = words.size() > 1 && words[1][0] != '-' ? words[1] : "";  // "": no command
     std::string names, usages;
     for (const Command& command : commands) {
         names += (names.empty() ? "" : ", ") + command.name;
@@ -35,13 +26,16 @@ static std::string run(int argc, char** argv) {
     }
     const auto named = std::find_if(commands.begin(), commands.end(), [&](const Command& c) { return c.name == name; });
     if (named == commands.end()) throw std::invalid_argument("unknown command '" + name + "'; commands: " + names);
-    if (!name.empty()) return run_command(*named, "usage: ./workbench " + name + " [options]\n", argc - 1, argv + 1);
-    return run_command(*named,
-                       "usage: ./workbench [options]\n" + usages +
-                           "\nCompares Monte Carlo with Bayesian Monte Carlo on integrals over the hemisphere.\n",
-                       argc, argv);
+    std::string usage = "usage: ./workbench [options]\n" + usages +
+                        "\nCompares Monte Carlo with Bayesian Monte Carlo on integrals over the hemisphere.\n";
+    if (!name.empty()) {
+        usage = "usage: ./workbench " + name + " [options]\n";
+        words.erase(words.begin());
+    }
+    Arguments arguments{words, usage};
+    return named->report(arguments);
 }
 
 int main(int argc, char** argv) {
-    return run_program("workbench", [&] { return run(argc, argv); });
+    return run_program("workbench", [&] { return run({argv, argv + argc}); });
 }

@@ -21,32 +21,21 @@ static void write_all(const std::string& output) {
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
 }
 
-Option& Options::named(const std::string& name) {
-    for (Option& option : all)
-        if (option.name == name) return option;
-    throw std::logic_error("there is no option " + name);
-}
+void Arguments::add(Option option) { options.push_back(std::move(option)); }
 
-void Options::add(Option option) { all.push_back(std::move(option)); }
-
-void Options::add(const char* name, const char* argument, const std::string& description, std::string& text) {
+void Arguments::add(const char* name, const char* argument, const std::string& description, std::string& text) {
     add({name, argument, description + (text.empty() ? "" : " (default " + text + ")"),
          [&text](const std::string& value) { text = value; }});
 }
 
-void Options::add(const char* name, const char* description, bool& given) {
-    add({name, "", description, [&given](const std::string&) { given = true; }});
+void Arguments::add(const char* name, const char* description, bool& is_set) {
+    add({name, "", description, [&is_set](const std::string&) { is_set = true; }});
 }
 
-void Options::make_idle(const std::vector<std::string>& names, const std::string& with,
-                        const std::function<bool()>& holds) {
-    for (const std::string& name : names) named(name).idle.emplace_back(with, holds);
-}
-
-Options Experiment::options() {
-    Options all;
-    add_options(all);
-    return all;
+void Arguments::make_idle(const std::vector<std::string>& names, const std::string& with,
+                          const std::function<bool()>& holds) {
+    for (Option& option : options)
+        if (std::count(names.begin(), names.end(), option.name) > 0) option.idle.emplace_back(with, holds);
 }
 
 Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
@@ -58,40 +47,41 @@ Option choice(const char* name, const std::vector<std::string>& names, std::size
             }};
 }
 
-void add_model_options(Options& options, ModelSettings& s, bool* light_known) {
-    options.add("covariance", covariance_names, s.covariance);
-    options.add("smoothness", "X", "of sobolev, between 1 and 2", s.smoothness, min_smoothness, max_smoothness);
-    options.add("length-scale", "X", "of the other covariances, from 0.05", s.length_scale, min_length_scale,
-                max_length_scale);
-    options.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
+void add_model_options(Arguments& arguments, ModelSettings& s, bool* light_known) {
+    arguments.add("covariance", covariance_names, s.covariance);
+    arguments.add("smoothness", "X", "of sobolev, between 1 and 2", s.smoothness, min_smoothness, max_smoothness);
+    arguments.add("length-scale", "X", "of the other covariances, from 0.05", s.length_scale, min_length_scale,
+                  max_length_scale);
+    arguments.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
     std::vector<std::string> known{std::begin(known_part_names), std::end(known_part_names)};
     if (light_known) known.push_back("light");
-    options.add(choice("known", known, 0,
-                       ": known part of the integrand; a cosine placement makes it cosine unless given",
-                       [=, &s](std::size_t chosen) {
-                           s.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
-                           if (light_known) *light_known = chosen == 2;
-                       }));
+    arguments.add(choice("known", known, 0,
+                         ": known part of the integrand; a cosine placement makes it cosine unless given",
+                         [=, &s](std::size_t chosen) {
+                             s.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
+                             if (light_known) *light_known = chosen == 2;
+                         }));
     std::vector<std::string> placements;
     for (const Placement placement : all_placements()) placements.push_back(placement.name());
-    options.add(
+    arguments.add(
         choice("placement", placements, 0, "", [&s](std::size_t chosen) { s.placement = all_placements()[chosen]; }));
-    options.add("seed", "K", "seed of the random numbers", s.seed, 0, UINT64_MAX);
+    arguments.add("seed", "K", "seed of the random numbers", s.seed, 0, UINT64_MAX);
     const auto is_sobolev = [&s] { return s.covariance == CovarianceFamily::sobolev; };
-    options.make_idle({"length-scale"}, "with --covariance sobolev", is_sobolev);
-    options.make_idle({"smoothness"}, "without --covariance sobolev", [=] { return !is_sobolev(); });
+    arguments.make_idle({"length-scale"}, "with --covariance sobolev", is_sobolev);
+    arguments.make_idle({"smoothness"}, "without --covariance sobolev", [=] { return !is_sobolev(); });
 }
 
-void add_sample_list(Options& options, std::vector<std::size_t>& samples) {
+void add_sample_list(Arguments& arguments, std::vector<std::size_t>& samples) {
     std::string usual;
     for (const std::size_t n : samples) usual += (usual.empty() ? "" : ",") + std::to_string(n);
-    options.add({"samples", "LIST", "numbers of samples (default " + usual + ")", [&samples](const std::string& text) {
-                     samples.clear();
-                     for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
-                         end = std::min(text.find(',', begin), text.size());
-                         samples.push_back(parse(text.substr(begin, end - begin), std::size_t{1}, max_process_samples));
-                     }
-                 }});
+    arguments.add(
+        {"samples", "LIST", "numbers of samples (default " + usual + ")", [&samples](const std::string& text) {
+             samples.clear();
+             for (std::size_t begin = 0, end = 0; end < text.size(); begin = end + 1) {
+                 end = std::min(text.find(',', begin), text.size());
+                 samples.push_back(parse(text.substr(begin, end - begin), std::size_t{1}, max_process_samples));
+             }
+         }});
 }
 
 // found: what getopt_long returned. value: what stands after '=', or else the next word.
@@ -108,34 +98,37 @@ static void apply(const Option& option, int found, const std::string& value, boo
     }
 }
 
-std::vector<std::string> parse_options(int argc, char** argv, const Options& options) {
+std::vector<std::string> Arguments::read() {
     constexpr int first = 256;  // above all letters
     std::vector<::option> table;
-    for (const Option& option : options.all)
+    for (const Option& option : options)
         table.push_back({option.name.c_str(), option.argument.empty() ? no_argument : required_argument, nullptr,
                          first + static_cast<int>(table.size())});
     table.push_back({nullptr, 0, nullptr, 0});
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const int argc = static_cast<int>(words.size());
     opterr = 0;
-    std::vector<std::string> given;
-    for (int found; (found = getopt_long(argc, argv, ":", table.data(), nullptr)) != -1;) {
-        const char* const word = argv[optind - 1];
+    for (int found; (found = getopt_long(argc, argv.data(), ":", table.data(), nullptr)) != -1;) {
+        const char* const word = argv[static_cast<std::size_t>(optind - 1)];
         if (found == '?' && optopt < first) {  // a letter, or 0
             const std::string typed = optopt ? std::string{'-', static_cast<char>(optopt)} : word;
             throw std::invalid_argument("there is no option " + typed.substr(0, typed.find('=')) +
                                         ", or more than one that begins so; --help lists them all");
         }
-        const Option& chosen = options.all[static_cast<std::size_t>((found < first ? optopt : found) - first)];
+        const Option& chosen = options[static_cast<std::size_t>((found < first ? optopt : found) - first)];
         apply(chosen, found, optarg ? optarg : "", optarg == word);
         given.push_back(chosen.name);
     }
-    return given;
+    return {argv.begin() + optind, argv.end() - 1};
 }
 
-std::string describe(const Options& options) {
+std::string Arguments::describe() const {
     std::string text;
-    for (const Option& option : options.all) {
-        const std::string words = "--" + option.name + ' ' + option.argument;
-        std::string line = formatted("  %-20s ", words.c_str()) + option.description;
+    for (const Option& option : options) {
+        const std::string begin = "--" + option.name + ' ' + option.argument;
+        std::string line = formatted("  %-20s ", begin.c_str()) + option.description;
         for (std::size_t blank; line.size() > 100; line = std::string(23, ' ') + line.substr(blank + 1)) {
             blank = line.rfind(' ', 100);
             text += line.substr(0, blank) + '\n';
@@ -145,22 +138,20 @@ std::string describe(const Options& options) {
     return text;
 }
 
-std::string run_command(const Command& command, const std::string& usage, int argc, char** argv) {
+void Arguments::take(const std::string& file) {
     bool help = false;
-    Options options = command.experiment.options();
-    options.add("help", "print this text", help);
-    const std::vector<std::string> given = parse_options(argc, argv, options);
-    if (help) return usage + '\n' + describe(options);
-    if (optind < argc)
-        throw std::invalid_argument(
-            formatted("unexpected argument '%s'; a command stands before all options; try --help", argv[optind]));
-    if (!command.file.empty() && isatty(STDOUT_FILENO))
-        throw std::invalid_argument("the picture would go to the terminal; add > " + command.file);
-    for (const Option& option : options.all)
+    add("help", "print this text", help);
+    const std::vector<std::string> others = read();
+    if (help) throw Help{usage + '\n' + describe()};
+    if (!others.empty())
+        throw std::invalid_argument("unexpected argument '" + others[0] +
+                                    "'; a command stands before all options; try --help");
+    if (!file.empty() && isatty(STDOUT_FILENO))
+        throw std::invalid_argument("the picture would go to the terminal; add > " + file);
+    for (const Option& option : options)
         for (const auto& [with, holds] : option.idle)
             if (std::count(given.begin(), given.end(), option.name) > 0 && holds())
                 print_note("note: --" + option.name + " changes nothing " + with);
-    return command.experiment.report();
 }
 
 double parse_real(const std::string& text, double low, double high) {
@@ -181,8 +172,15 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 
 int run_program(const char* name, const std::function<std::string()>& body) {
     program_name = name;
+    const auto output = [&] {
+        try {
+            return body();
+        } catch (const Help& help) {
+            return help.text;
+        }
+    };
     try {
-        write_all(body());
+        write_all(output());
         return 0;
     } catch (const std::invalid_argument& error) {
         print_note(error.what());

@@ -34,12 +34,14 @@ struct Option {
 Option choice(const char* name, const std::vector<std::string>& names, std::size_t usual, const char* remark,
               const std::function<void(std::size_t)>& choose);
 
-// Options in the order of the help. They set members of an experiment, which must outlive them.
-struct Options {
-    std::vector<Option> all;
+// The words of a command, and its options in the order of the help. A command adds its options, which set variables of
+// its own, and takes them; then it does what they say.
+struct Arguments {
+    std::vector<std::string> words;  // the first one is the command
+    std::string usage;
+    std::vector<Option> options = {};
 
     void add(Option option);
-    Option& named(const std::string& name);  // the one of this name
 
     // Adds an option that sets a text, a switch, a number from low to high, or a value that has a name. The description
     // ends with the default, if that is not empty.
@@ -59,6 +61,23 @@ struct Options {
 
     // The options of these names change nothing "with --method mc", where that holds.
     void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds);
+
+    // Applies the options in the words, and sets `given` to their names. Returns the words that no option takes. Throws
+    // std::invalid_argument that names the option.
+    std::vector<std::string> read();
+    std::vector<std::string> given = {};
+
+    // The same, where no other words are allowed. A note on stderr names each option that changes nothing. file: what
+    // the output goes to, if it is no text for a terminal. Throws Help if that is what the words ask for.
+    void take(const std::string& file = "");
+
+    // Lines of at most 100 characters for each option.
+    std::string describe() const;
+};
+
+// Thrown in place of an output.
+struct Help {
+    std::string text;
 };
 
 // The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
@@ -66,39 +85,16 @@ inline constexpr std::size_t max_process_samples = 4096;
 
 // Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. With
 // light_known the light can be known, too, beside the cosine.
-void add_model_options(Options& options, ModelSettings& settings, bool* light_known = nullptr);
+void add_model_options(Arguments& arguments, ModelSettings& settings, bool* light_known = nullptr);
 
 // Adds the option samples, which takes a list such as 10,20,40; each number is at most max_process_samples.
-void add_sample_list(Options& options, std::vector<std::size_t>& samples);
-
-// What a program can be asked for.
-struct Experiment {
-    Experiment() = default;
-    Experiment(const Experiment&) = delete;  // its options set the members of this one
-    Experiment& operator=(const Experiment&) = delete;
-    virtual ~Experiment() = default;
-    Options options();
-    virtual void add_options(Options&) {}    // they set members
-    virtual std::string report() const = 0;  // the text to print; throws std::invalid_argument if values do not fit
-};
+void add_sample_list(Arguments& arguments, std::vector<std::size_t>& samples);
 
 struct Command {
     std::string name;  // empty: what the workbench does without a command
     std::string summary;
-    Experiment& experiment;
-    std::string file = "";  // what its output goes to, if it is no text for a terminal
+    std::string (*report)(Arguments&);  // what it prints; throws std::invalid_argument if values do not fit
 };
-
-// Applies the options in argv, and returns their names. Throws std::invalid_argument that names the option. Arguments
-// that no option takes stand behind the others from optind on (getopt_long).
-std::vector<std::string> parse_options(int argc, char** argv, const Options& options);
-
-// Lines of at most 100 characters for each option, for a help text.
-std::string describe(const Options& options);
-
-// What the command prints for the arguments in argv: its report, or with --help the usage and its options. A note on
-// stderr names each option that changes nothing. Throws std::invalid_argument if a file would go to a terminal.
-std::string run_command(const Command& command, const std::string& usage, int argc, char** argv);
 
 // An enumeration stands beside an array of its names, in the order of the enumerators, which options and reports read.
 template <class T, std::size_t count>
@@ -106,7 +102,8 @@ const char* name_of(T value, const char* const (&names)[count]) {
     return names[static_cast<std::size_t>(value)];
 }
 
-// Prints to stdout what body returns, all of it or nothing. Returns the exit status: 0, 2 after std::invalid_argument,
-// 1 after any other exception. An exception becomes one line on stderr, which begins with the program's name.
+// Prints to stdout what body returns, or the help that it throws, all of it or nothing. Returns the exit status: 0, 2
+// after std::invalid_argument, 1 after any other exception. An exception becomes one line on stderr, which begins with
+// the program's name.
 int run_program(const char* name, const std::function<std::string()>& body);
 }  // namespace bmc

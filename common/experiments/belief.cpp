@@ -99,13 +99,14 @@ static void print_estimate(const GaussianProcess& process, const std::vector<dou
                              100 * size.value() / all));
 }
 
-void Belief::add_options(Options& options) {
-    options.add("samples", "N", "directions of the process", samples, 1, 400);
-    options.add("environment", "FILE", environment_help(), environment);
-    add_model_options(options, settings);
-}
-
-std::string Belief::report() const {
+std::string belief_discs(Arguments& arguments) {
+    std::size_t samples = 40;
+    std::string environment = built_in_lights[0];
+    ModelSettings settings;
+    arguments.add("samples", "N", "directions of the process", samples, 1, 400);
+    arguments.add("environment", "FILE", environment_help(), environment);
+    add_model_options(arguments, settings);
+    arguments.take("belief.ppm");
     const View view{load_environment(environment, processors())};
     const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);

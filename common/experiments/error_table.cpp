@@ -113,20 +113,20 @@ std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>
            slope_of(rows, &ErrorRow::bmc) + '\n';
 }
 
-void ErrorTables::add_options(Options& options) {
-    std::vector<std::string> names{integrand};
+std::string error_tables(Arguments& arguments) {
+    ErrorSettings settings;
+    std::size_t chosen = 0;
+    std::vector<std::string> names{"all"};
     for (const NamedIntegrand& named : named_integrands()) names.push_back(named.name);
-    options.add(choice("integrand", names, 0, "", [=](std::size_t chosen) { integrand = names[chosen]; }));
-    add_sample_list(options, settings.sample_counts);
-    options.add("mc-estimates", "M", "MC estimates averaged in each row", settings.mc_estimates, 1, 100000);
-    options.add("bmc-estimates", "M", "BMC estimates averaged in each row", settings.bmc_estimates, 1, 100000);
-    add_model_options(options, settings);
-}
-
-std::string ErrorTables::report() const {
+    arguments.add(choice("integrand", names, 0, "", [&](std::size_t i) { chosen = i; }));
+    add_sample_list(arguments, settings.sample_counts);
+    arguments.add("mc-estimates", "M", "MC estimates averaged in each row", settings.mc_estimates, 1, 100000);
+    arguments.add("bmc-estimates", "M", "BMC estimates averaged in each row", settings.bmc_estimates, 1, 100000);
+    add_model_options(arguments, settings);
+    arguments.take();
     std::vector<Integrand> integrands;
     for (const NamedIntegrand& named : named_integrands())
-        if (integrand == "all" || integrand == named.name) integrands.push_back(named.make());
+        if (chosen == 0 || names[chosen] == named.name) integrands.push_back(named.make());
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
     for (const std::size_t n : settings.sample_counts) {

@@ -38,11 +38,5 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
 
 // What the workbench prints without a command: the tables of the practice's integrands.
-struct ErrorTables : Experiment {
-    std::string integrand = "all";  // the name of one, or all of the practice's
-    ErrorSettings settings;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-};
+std::string error_tables(Arguments& arguments);
 }  // namespace bmc

@@ -40,7 +40,7 @@ static Shader mis_shader(const EnvironmentMap& map, const std::vector<Lamp>& lam
     };
 }
 
-std::string KnownLightReport::table(const std::string& name, const EnvironmentMap& map) const {
+static std::string known_light_table(const CostSettings& costs, const std::string& name, const EnvironmentMap& map) {
     const RenderSettings dense = row_settings(costs, {}, 1);
     const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 16);
     const EnvironmentMap irradiance = light_around(cells_of_light(map, 1e300, 64), 0, 128, 0, dense.threads);
@@ -72,6 +72,10 @@ std::string KnownLightReport::table(const std::string& name, const EnvironmentMa
            "# Columns as of tradeoff; mis: directions in proportion to the light, and to the cosine; mis-ratio: the "
            "same\n"
            "# sum over itself without shadows, times the light without shadows.\n" +
-           measured_table(compared, truth);
+           measured_table(costs, compared, truth);
+}
+
+std::string known_light_report(Arguments& arguments) {
+    return picture_report(taken_costs(arguments), known_light_table);
 }
 }  // namespace bmc

@@ -75,12 +75,12 @@ double log_evidence(const GaussianProcess& process, const std::vector<double>& v
     return -static_cast<double>(values.size()) * portable::log(process.amplitude(values)) - half_log_determinant;
 }
 
-void ModelsReport::add_options(Options& options) {
-    options.add("environment", "FILE", environment_help(), environment);
-    options.add("samples", "N", "directions of each process", samples, 1, 400);
-}
-
-std::string ModelsReport::report() const {
+std::string models_report(Arguments& arguments) {
+    std::string environment = built_in_lights[0];
+    std::size_t samples = 40;
+    arguments.add("environment", "FILE", environment_help(), environment);
+    arguments.add("samples", "N", "directions of each process", samples, 1, 400);
+    arguments.take();
     const auto light = std::make_shared<const EnvironmentMap>(load_environment(environment));
     const std::vector<Integrand> integrands = scene_integrands(light);
     std::string text = formatted(

@@ -35,26 +35,31 @@ static std::size_t seeds_of(const RenderSettings& settings) {
     return settings.method == Method::single || settings.method == Method::rotated ? 64 : 16;
 }
 
-void PictureReport::add_options(Options& options) {
-    options.add("environment", "FILE", "one light, as for the renderer (default: each built-in light)", environment);
-    options.add("size", "W", "size of the pictures: W x W pixels", costs.size, 2, 1024);
-    options.add("seed", "K", "seed of the random numbers", costs.seed, 0, UINT64_MAX);
-    options.add("no-times", "leave out measured times, which differ from run to run", costs.untimed);
-    add_sample_list(options, sample_counts);
+CostSettings taken_costs(Arguments& arguments) {
+    CostSettings s;
+    arguments.add("environment", "FILE", "one light, as for the renderer (default: each built-in light)",
+                  s.environment);
+    arguments.add("size", "W", "size of the pictures: W x W pixels", s.size, 2, 1024);
+    arguments.add("seed", "K", "seed of the random numbers", s.seed, 0, UINT64_MAX);
+    arguments.add("no-times", "leave out measured times, which differ from run to run", s.untimed);
+    add_sample_list(arguments, s.sample_counts);
+    arguments.take();
+    return s;
 }
 
-std::string PictureReport::report() const {
-    const std::vector<std::string> names = environment.empty() ? light_names() : std::vector{environment};
+std::string picture_report(const CostSettings& costs, const PictureTable& table) {
+    const auto names = costs.environment.empty() ? light_names() : std::vector{costs.environment};
     std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : "\n\n") + table(name, load_environment(name));
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : "\n\n") + table(costs, name, load_environment(name));
     return text;
 }
 
-std::string PictureReport::measured_table(const std::vector<PictureCost>& compared, const Image& truth) const {
-    Progress progress("rows", compared.size() * sample_counts.size());
+std::string measured_table(const CostSettings& costs, const std::vector<PictureCost>& compared, const Image& truth) {
+    Progress progress("rows", compared.size() * costs.sample_counts.size());
     std::vector<PictureCost> rows;
     for (const PictureCost& picture : compared)
-        for (const std::size_t n : sample_counts) {
+        for (const std::size_t n : costs.sample_counts) {
             rows.push_back(measured_picture(picture, n, costs, truth));
             progress.done();
         }

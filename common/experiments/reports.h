@@ -24,49 +24,36 @@ Samples read_samples(std::istream& in);
 
 // rule: the directions of a rule, drawn or from a file, z and the weights; what the weights sum to; with values the
 // estimate of their integral.
-struct RuleReport : Experiment {
-    std::size_t samples = 40;
-    std::string directions;  // a file; empty: drawn
-    bool matrices = false;
-    ModelSettings settings;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-};
+std::string rule_report(Arguments& arguments);
 
 // belief: what a Gaussian process believes of the light that arrives at a point of the rectangle. Four discs side by
 // side, as PPM, show the light and the samples, the posterior mean, the posterior standard deviation, and the error of
 // the mean. stderr has the estimate of the integral.
-struct Belief : Experiment {
-    std::size_t samples = 40;
-    std::string environment = built_in_lights[0];
-    ModelSettings settings;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-};
+std::string belief_discs(Arguments& arguments);
 
 // light: an environment as a PFM file, which other programs read.
-struct LightFile : Experiment {
+inline std::string light_file(Arguments& arguments) {
     std::string environment = built_in_lights[0];
-
-    void add_options(Options& options) override { options.add("environment", "FILE", environment_help(), environment); }
-    std::string report() const override {
-        const EnvironmentMap map = load_environment(environment);
-        Image image(map.width, map.height);
-        for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = map.colour(static_cast<int>(i) + 1);
-        return encode(image, Format::pfm);
-    }
-};
+    arguments.add("environment", "FILE", environment_help(), environment);
+    arguments.take("desert.pfm");
+    const EnvironmentMap map = load_environment(environment);
+    Image image(map.width, map.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = map.colour(static_cast<int>(i) + 1);
+    return encode(image, Format::pfm);
+}
 
 // The seconds of one call: the fewest of at least four calls, and of as many as take 8 ms.
 double time_call(const std::function<void()>& action);
 
+// What a report on pictures is asked for.
 struct CostSettings {
     int size = 64;           // of the pictures, size x size pixels
     std::uint64_t seed = 1;  // picture i of seed k has the seed 1000 (k - 1) + i, i from 1; the truth has i = 0
     bool untimed = false;
+    std::string environment = {};  // empty: the built-in lights
+    std::vector<std::size_t> sample_counts{10, 40};
 };
+CostSettings taken_costs(Arguments& arguments);
 
 // The error of an image, over the pixels that show an object.
 struct ImageError {
@@ -102,43 +89,23 @@ PictureCost measured_picture(PictureCost picture, std::size_t samples, const Cos
 // A line for each picture, and above them the names of the columns; the first pictures are classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
 
-// A report on pictures under one light, or under each of the built-in ones.
-struct PictureReport : Experiment {
-    std::string environment;  // empty: the built-in lights
-    std::vector<std::size_t> sample_counts{10, 40};
-    CostSettings costs;
+// The picture_table of these pictures, each with all numbers of samples.
+std::string measured_table(const CostSettings& costs, const std::vector<PictureCost>& compared, const Image& truth);
 
-    void add_options(Options& options) override;
-    std::string report() const override;
-
-    // The table of a light of this name.
-    virtual std::string table(const std::string& name, const EnvironmentMap& light) const = 0;
-
-    // The picture_table of these pictures, each with all numbers of samples.
-    std::string measured_table(const std::vector<PictureCost>& compared, const Image& truth) const;
-};
+// The tables of the light, or of each of the built-in ones, each by its name.
+using PictureTable = std::string(const CostSettings& costs, const std::string& name, const EnvironmentMap& light);
+std::string picture_report(const CostSettings& costs, const PictureTable& table);
 
 // tradeoff: what accuracy costs. The time of each step of a rule, and the errors and the time of a picture by every
 // method.
-struct TradeoffReport : PictureReport {
-    std::string report() const override;
-    std::string table(const std::string& name, const EnvironmentMap& light) const override;
-};
+std::string tradeoff_report(Arguments& arguments);
 
 // known-light: what is gained by knowing the light, and by what else renderers do with a light that they know.
-struct KnownLightReport : PictureReport {
-    std::string table(const std::string& name, const EnvironmentMap& light) const override;
-};
+std::string known_light_report(Arguments& arguments);
 
 // models: which covariance and which noise the scene requires. It compares their errors, which takes the truth, their
 // evidence, which does not, and the errors that they predict.
-struct ModelsReport : Experiment {
-    std::string environment = built_in_lights[0];
-    std::size_t samples = 40;
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-};
+std::string models_report(Arguments& arguments);
 
 // Log evidence of the values up to a constant, with the amplitude that maximises it: -n/2 log a^2 - 1/2 log det Q
 // (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8). Processes with one known part can
@@ -156,10 +123,5 @@ std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
 // directions nor their rotation about the up axis must change a weight (covariance.h), nor must three times the
 // covariance and the squared noise, but they change every rounding error. The digits that stay the same are right: a
 // test compares them with weights of 128 bits.
-struct StabilityReport : Experiment {
-    std::vector<std::size_t> sample_counts{1, 2, 10, 100, 1000};  // of the random directions with Sobolev 3/2
-
-    void add_options(Options& options) override;
-    std::string report() const override;
-};
+std::string stability_report(Arguments& arguments);
 }  // namespace bmc

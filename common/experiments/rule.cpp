@@ -140,19 +140,20 @@ Samples read_samples(std::istream& in) {
     return samples;
 }
 
-void RuleReport::add_options(Options& options) {
-    options.add("samples", "N", "directions of the rule", samples, 1, max_process_samples);
-    options.add("directions", "FILE", "read directions from FILE, a line x y z [value] each (-: standard input)",
-                directions);
-    options.add("matrices", "also print Q and its inverse", matrices);
-    add_model_options(options, settings);
-    options.make_idle({"samples", "placement", "seed"}, "with --directions", [this] { return !directions.empty(); });
-}
-
-std::string RuleReport::report() const {
-    ModelSettings model = settings;
-    if (!directions.empty()) model.placement = {};  // directions in a file have a density that nobody knows
-    const auto covariance = model.make_covariance();
+std::string rule_report(Arguments& arguments) {
+    std::size_t samples = 40;
+    std::string directions;  // a file; empty: drawn
+    bool matrices = false;
+    ModelSettings settings;
+    arguments.add("samples", "N", "directions of the rule", samples, 1, max_process_samples);
+    arguments.add("directions", "FILE", "read directions from FILE, a line x y z [value] each (-: standard input)",
+                  directions);
+    arguments.add("matrices", "also print Q and its inverse", matrices);
+    add_model_options(arguments, settings);
+    arguments.make_idle({"samples", "placement", "seed"}, "with --directions", [&] { return !directions.empty(); });
+    arguments.take();
+    if (!directions.empty()) settings.placement = {};  // directions in a file have a density that nobody knows
+    const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
     const Samples given = directions.empty() ? Samples{sampler_of(settings.placement, samples)(random)}
                                              : read_file(directions, read_samples);

@@ -89,9 +89,10 @@ static double difference(const std::vector<double>& weights, const std::vector<d
     return most / largest;
 }
 
-void StabilityReport::add_options(Options& options) { add_sample_list(options, sample_counts); }
-
-std::string StabilityReport::report() const {
+std::string stability_report(Arguments& arguments) {
+    std::vector<std::size_t> sample_counts{1, 2, 10, 100, 1000};  // of the random directions with Sobolev 3/2
+    add_sample_list(arguments, sample_counts);
+    arguments.take();
     std::string text =
         R"(# Where the arithmetic breaks: of the 16 digits of the weights, the number that stays the same when all
 # directions are reversed and rotated about the up axis, covariance and squared noise three times as large, which

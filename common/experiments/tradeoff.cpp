@@ -33,7 +33,7 @@ static std::vector<double> rule_seconds(std::size_t n) {
 }
 
 // The answer to assignment 3.3.1: what a rule for every pixel costs, and why.
-static std::string rule_report() {
+static std::string rule_costs() {
     std::string text =
         R"(# What a rule costs, measured here: microseconds of each step. It needs neither the inverse of Q, whose
 # factor gives the weights, nor z from 50,000 random directions, which has a closed form.
@@ -63,9 +63,7 @@ static std::string rule_report() {
                usual.width, usual.height, pixels, usual.samples, pixels * usual_seconds, pixels * sum_seconds / 60);
 }
 
-std::string TradeoffReport::report() const { return (costs.untimed ? "" : rule_report()) + PictureReport::report(); }
-
-std::string TradeoffReport::table(const std::string& name, const EnvironmentMap& light) const {
+static std::string tradeoff_table(const CostSettings& costs, const std::string& name, const EnvironmentMap& light) {
     const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
@@ -76,6 +74,11 @@ std::string TradeoffReport::table(const std::string& name, const EnvironmentMap&
 # of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is known of the
 # integrand. Where times are measured, here: seconds for a million pixels of objects on one processor; efficiency,
 # 1 / (rmse^2 seconds), is that relative to mc.
-)" + measured_table(compared_pictures(light), truth);
+)" + measured_table(costs, compared_pictures(light), truth);
+}
+
+std::string tradeoff_report(Arguments& arguments) {
+    const CostSettings costs = taken_costs(arguments);
+    return (costs.untimed ? "" : rule_costs()) + picture_report(costs, tradeoff_table);
 }
 }  // namespace bmc

@@ -87,28 +87,32 @@ static void set_size(RenderSettings& settings, const std::string& text) {
     settings.height = cross == std::string::npos ? settings.width : parse<int>(text.substr(cross + 1), 1, 8192);
 }
 
-void PictureRequest::add_options(Options& options) {
-    options.add("method", method_names, settings.method);
-    options.add("samples", "N", "directions per pixel", settings.samples, 1, max_process_samples);
-    options.add("pool", "K", "Gaussian processes of --method pool", settings.pool, 1, 1000);
-    add_model_options(options, settings, &light_known);
-    options.add({"size", "WxH",
-                 formatted("in pixels, or W for a square (default %dx%d)", settings.width, settings.height),
-                 [this](const std::string& text) { set_size(settings, text); }});
-    options.add("environment", "FILE", environment_help(), environment);
-    options.add("exposure", "X", "brighten a PPM or BMP by X stops", exposure, -200, 200);
-    options.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
-    options.add({"threads", "T", "number of threads; the picture does not change (default: all processors)",
-                 [this](const std::string& text) { settings.threads = parse<std::size_t>(text, 1, 256); }});
-    options.make_idle({"covariance", "smoothness", "length-scale", "noise"}, "with --method mc",
-                      [this] { return settings.method == Method::mc; });
-    options.make_idle({"known"}, "with --method mc", [this] { return settings.method == Method::mc && !light_known; });
-    options.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
-    options.make_idle({"pool"}, "with a lattice or an optimised set", [this] { return settings.placement.is_fixed(); });
-    options.make_idle({"exposure"}, "with --format pfm", [this] { return format == Format::pfm; });
+void PictureRequest::add_options(Arguments& arguments) {
+    arguments.add("method", method_names, settings.method);
+    arguments.add("samples", "N", "directions per pixel", settings.samples, 1, max_process_samples);
+    arguments.add("pool", "K", "Gaussian processes of --method pool", settings.pool, 1, 1000);
+    add_model_options(arguments, settings, &light_known);
+    arguments.add({"size", "WxH",
+                   formatted("in pixels, or W for a square (default %dx%d)", settings.width, settings.height),
+                   [this](const std::string& text) { set_size(settings, text); }});
+    arguments.add("environment", "FILE", environment_help(), environment);
+    arguments.add("exposure", "X", "brighten a PPM or BMP by X stops", exposure, -200, 200);
+    arguments.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
+    arguments.add({"threads", "T", "number of threads; the picture does not change (default: all processors)",
+                   [this](const std::string& text) { settings.threads = parse<std::size_t>(text, 1, 256); }});
+    arguments.make_idle({"covariance", "smoothness", "length-scale", "noise"}, "with --method mc",
+                        [this] { return settings.method == Method::mc; });
+    arguments.make_idle({"known"}, "with --method mc",
+                        [this] { return settings.method == Method::mc && !light_known; });
+    arguments.make_idle({"pool"}, "without --method pool", [this] { return settings.method != Method::pool; });
+    arguments.make_idle({"pool"}, "with a lattice or an optimised set",
+                        [this] { return settings.placement.is_fixed(); });
+    arguments.make_idle({"exposure"}, "with --format pfm", [this] { return format == Format::pfm; });
 }
 
-std::string PictureRequest::report() const {
+std::string PictureRequest::report(Arguments& arguments) {
+    add_options(arguments);
+    arguments.take("out.ppm");
     const EnvironmentMap light = load_environment(environment, settings.threads);
     if (!light_known && note_missed_light(light, settings.samples)) print_note("note: --known light models this light");
     // A known light is a quotient, which cancels what warned_picture warns of.

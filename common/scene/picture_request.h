@@ -7,17 +7,17 @@
 #include "scene/render.h"
 
 namespace bmc {
-struct PictureRequest : Experiment {
+struct PictureRequest {
     RenderSettings settings;
     bool light_known = false;  // of the integrand L(omega) v(omega) cos(theta), beside the cosine
     std::string environment = built_in_lights[0];
     Format format = Format::ppm;
     double exposure = 0;  // in stops
 
-    void add_options(Options& options) override;
+    void add_options(Arguments& arguments);  // they set members, and must not outlive them
 
     // The image as a file; a PPM or BMP has 2^exposure times the radiance. Throws what the Gaussian processes throw.
-    std::string report() const override;
+    std::string report(Arguments& arguments);
 };
 
 // If this many samples in random directions miss this light, prints a note that says how uneven it is; returns whether

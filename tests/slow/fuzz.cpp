@@ -1,5 +1,4 @@
 // libFuzzer: any bytes are a map of radiances, rows of numbers or the options of a command, or an error of one line.
-#include "experiments/error_table.h"
 #include "experiments/reports.h"
 
 #include <getopt.h>
@@ -28,17 +27,17 @@ void check(const std::string& bytes, Read read) {
 bool reads_options(std::istream& in) {
     std::vector<std::string> words{"program"};
     for (std::string word; in >> word;) words.emplace_back(word.c_str());  // as far as argv has it
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    optind = 0;  // a fresh scan
-    ErrorTables tables;
-    parse_options(static_cast<int>(words.size()), argv.data(), tables.options());
-    const ErrorSettings& settings = tables.settings;
-    for (const std::size_t n : settings.sample_counts)
+    optind = 0;                                                            // a fresh scan
+    Arguments arguments{std::move(words), ""};
+    std::vector<std::size_t> samples{1};
+    ModelSettings settings;
+    add_sample_list(arguments, samples);
+    add_model_options(arguments, settings);
+    arguments.read();
+    for (const std::size_t n : samples)
         if (n < 1 || n > 4096) return false;
-    return !settings.sample_counts.empty() && settings.mc_estimates >= 1 && settings.bmc_estimates >= 1 &&
-           settings.smoothness > 1 && settings.smoothness < 2 && settings.noise >= 0 && settings.noise <= 1000;
+    return !samples.empty() && settings.smoothness > 1 && settings.smoothness < 2 && settings.noise >= 0 &&
+           settings.noise <= 1000;
 }
 
 }  // namespace

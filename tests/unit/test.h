@@ -100,15 +100,25 @@ void check_failing_reads(const std::string& bytes, Read read) {
     }
 }
 
-// Lets the options take what stands in these arguments of a program, and returns what they leave.
-inline std::vector<std::string> parse(std::vector<std::string> words, const Options& options) {
-    words.insert(words.begin(), "program");
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
+// Lets the options take what stands in these words behind a command, and returns what they leave.
+inline std::vector<std::string> parse(std::vector<std::string> words, Arguments& arguments) {
+    words.insert(words.begin(), "command");
     optind = 0;  // a fresh scan
-    parse_options(static_cast<int>(words.size()), argv.data(), options);
-    return {argv.begin() + optind, argv.end() - 1};
+    arguments.words = std::move(words);
+    return arguments.read();
+}
+inline void parse(const std::vector<std::string>& words, PictureRequest& request) {
+    Arguments arguments;
+    request.add_options(arguments);
+    parse(words, arguments);
+}
+
+// What a command prints for these words.
+inline std::string output_of(std::string (*report)(Arguments&), std::vector<std::string> words) {
+    words.insert(words.begin(), "command");
+    optind = 0;
+    Arguments arguments{std::move(words), ""};
+    return report(arguments);
 }
 
 inline std::vector<std::string> words_in(const std::string& text) {

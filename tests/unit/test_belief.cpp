@@ -5,18 +5,18 @@
 // q = k(0) + noise^2, the deviation a sqrt(k(0) - k^2 / q) with the amplitude a = Y / sqrt(q).
 TEST_CASE("the discs of belief show light, posterior mean, deviation and error") {
     const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 1\n\200\200\200\200");  // 0.5
-    Belief belief;
-    parse({"--environment", light.name, "--samples=1", "--placement=fibonacci", "--noise=0.5"}, belief.options());
+    std::vector<std::string> words{"--environment", light.name, "--samples=1", "--placement=fibonacci", "--noise=0.5"};
     std::string picture;
-    const std::string printed = stderr_of([&] { picture = belief.report(); }), header = "P6\n800 200\n255\n";
+    const std::string printed = stderr_of([&] { picture = output_of(belief_discs, words); }),
+                      header = "P6\n800 200\n255\n";
     Random random(1, 0);
     const Vec3 w = sampler_of({PointSet::fibonacci}, 1)(random)[0];
     const double q = 8.0 / 3 + 0.25, z = Sobolev().z(w.y), amplitude = 0.5 / std::sqrt(q);
     const double error = amplitude * std::sqrt(Sobolev().zz() - z * z / q);
     CHECK(!contains(printed, "note:"));
     CHECK(printed == Containing{formatted(": estimate %.5g, error bar %.3g, truth ", 0.5 * z / q, error)});
-    parse({"--known=cosine"}, belief.options());  // the values stay 1/2: cos(theta) is divided out
-    const std::string cosine = stderr_of([&] { belief.report(); });
+    words.emplace_back("--known=cosine");  // the values stay 1/2: cos(theta) is divided out
+    const std::string cosine = stderr_of([&] { output_of(belief_discs, words); });
     CHECK(cosine == Containing{formatted(": estimate %.5g, ", 0.5 * SobolevKnownCosine().z(w.y) / q)});
 
     REQUIRE(picture.size() == header.size() + 3 * 800 * 200);
@@ -60,7 +60,6 @@ TEST_CASE("belief says that its samples have missed a lamp") {
     std::string texels;
     for (int x = 0; x < 64; ++x) texels += x == 4 ? "\200\200\200\212" : "\200\200\200\200";
     const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 64\n" + texels);
-    Belief belief;
-    parse({"--environment", light.name, "--samples=1", "--placement=fibonacci"}, belief.options());
-    CHECK(stderr_of([&] { belief.report(); }) == Containing{"note: the samples have seen 0.9"});
+    const std::vector<std::string> words{"--environment", light.name, "--samples=1", "--placement=fibonacci"};
+    CHECK(stderr_of([&] { output_of(belief_discs, words); }) == Containing{"note: the samples have seen 0.9"});
 }

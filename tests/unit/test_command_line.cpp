@@ -6,7 +6,7 @@ struct Values {
     double real = 0;
     std::size_t whole = 0;
     bool flag = false;
-    Options options;
+    Arguments options;
 
     Values() {
         options.add("text", "X", "", text);
@@ -17,7 +17,7 @@ struct Values {
 };
 
 TEST_CASE("options take values in both spellings and leave the rest") {
-    const Values values;
+    Values values;
     CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--wh", "4096"}, values.options) ==
           std::vector<std::string>{"rest"});
     CHECK(values.text == "3");
@@ -28,8 +28,8 @@ TEST_CASE("options take values in both spellings and leave the rest") {
 }
 
 TEST_CASE("a mistake in an option is a message that names it") {
-    const Values values;
-    const Options& options = values.options;
+    Values values;
+    Arguments& options = values.options;
     const auto mistake = [&](const std::vector<std::string>& words) {
         CHECK_THROWS_AS(parse(words, options), std::invalid_argument);
         return message_of([&] { parse(words, options); });

@@ -46,9 +46,11 @@ TEST_CASE("three rows or more tell the slopes, with their standard errors from t
 }
 
 TEST_CASE("a list of samples is numbers from 1 to 4096 between commas") {
-    ErrorTables tables;
+    std::vector<std::size_t> samples{1};
+    Arguments arguments;
+    add_sample_list(arguments, samples);
     for (const std::string list : {"", "1,", ",1", "0", "4097", "1, 2"})
-        CHECK_THROWS_AS_MESSAGE(parse({"--samples=" + list}, tables.options()), std::invalid_argument, list);
-    parse({"--samples=1,4096"}, tables.options());
-    CHECK(tables.settings.sample_counts == std::vector<std::size_t>{1, 4096});
+        CHECK_THROWS_AS_MESSAGE(parse({"--samples=" + list}, arguments), std::invalid_argument, list);
+    parse({"--samples=1,4096"}, arguments);
+    CHECK(samples == std::vector<std::size_t>{1, 4096});
 }

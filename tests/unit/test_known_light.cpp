@@ -16,9 +16,7 @@ static EnvironmentMap linear_map(int columns, int rows) {
     });
 }
 
-static Colour at(const EnvironmentMap& map, Vec3 d) {
-    return map.interpolated(map.column(d.x, d.z), map.row(d.y));
-}
+static Colour at(const EnvironmentMap& map, Vec3 d) { return map.interpolated(map.column(d.x, d.z), map.row(d.y)); }
 
 // The integral of (1 + w.slope) cos(theta) is pi + (2 pi / 3) n.slope.
 TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any size of map") {
@@ -106,7 +104,8 @@ static Image truth_of(const EnvironmentMap& map, const RenderSettings& settings)
     });
 }
 
-TEST_CASE("a known light has six tenths of the error of an unknown one, for any number of samples, and under a sun less") {
+TEST_CASE(
+    "a known light has six tenths of the error of an unknown one, for any number of samples, and under a sun less") {
     for (const std::size_t samples : {1u, 2u, 5u, 40u}) {
         CAPTURE(samples);
         const RenderSettings settings =
@@ -123,20 +122,15 @@ TEST_CASE("a known light has six tenths of the error of an unknown one, for any 
 
 TEST_CASE("of two known parts the last one counts") {
     PictureRequest request;
-    Options options;
-    request.add_options(options);
-    parse({"--known=light", "--known=cosine"}, options);
+    parse({"--known=light", "--known=cosine"}, request);
     CHECK(request.settings.known_part == KnownPart::cosine);
     CHECK(!request.light_known);
 }
 
 // Under a sun and a sky, of which about half of the samples see one each.
 TEST_CASE("known-light compares: the quotient of mis has at most half of its error, and the known light still less") {
-    KnownLightReport report;
-    report.costs.size = 8;
-    report.costs.untimed = true;
-    report.sample_counts = {10};
-    std::istringstream rows(report.table("bright-desert", built_in_light(BuiltInLight::bright_desert)));
+    std::istringstream rows(
+        output_of(known_light_report, {"--size=8", "--no-times", "--samples=10", "--environment=bright-desert"}));
     std::map<std::string, double> error;  // of each method, the last row of it
     for (std::string line, method, word; std::getline(rows, line);) {
         std::istringstream words(line);

@@ -7,12 +7,10 @@ static Samples samples_in(const std::string& content) {
 }
 
 // The report on directions in a file of this content.
-static std::string rule_report(const std::string& content, std::vector<std::string> words = {}) {
+static std::string report_on(const std::string& content, std::vector<std::string> words = {}) {
     const TemporaryFile file(content);
     words.push_back("--directions=" + file.name);
-    RuleReport report;
-    parse(words, report.options());
-    return report.report();
+    return output_of(rule_report, words);
 }
 
 TEST_CASE("directions are read with or without values") {
@@ -69,7 +67,7 @@ TEST_CASE("an error of reading is not the end of the directions, wherever it is"
 // Of one direction w = z / (k(0) + noise^2).
 TEST_CASE("the report of directions with the known part cosine says so") {
     const double z = SobolevKnownCosine().z(0.8), w = z / (8.0 / 3 + 0.25);
-    const std::string text = rule_report("0.6 0.8 0 -3\n", {"--known=cosine", "--noise=0.5"});
+    const std::string text = report_on("0.6 0.8 0 -3\n", {"--known=cosine", "--noise=0.5"});
     for (const std::string& part :
          {formatted(" %12.9g %24.17g\n", z, w),
           formatted("weights sum to %.6g, and the integral of cos(theta) is 3.14159. The ratio %.4g would", w, w / pi),
@@ -80,18 +78,18 @@ TEST_CASE("the report of directions with the known part cosine says so") {
 
 TEST_CASE("an estimate that is too large fails, and an error bar that is only rounding is unknown") {
     const auto report = [](const std::string& lines, const std::string& noise) {
-        return rule_report(lines, {"--covariance=squared-exponential", "--length-scale=1000", "--noise=" + noise});
+        return report_on(lines, {"--covariance=squared-exponential", "--length-scale=1000", "--noise=" + noise});
     };
     std::string lines;
     for (const Vec3& w : some_directions(40)) lines += formatted("%.17g %.17g %.17g 1\n", w.x, w.y, w.z);
     CHECK(report(lines, "1e-7") == Containing{"error bar unknown: what is left of the variance may be rounding"});
     CHECK(report(lines, "1e-2") == Containing{"error bar 0.0"});
-    CHECK(rule_report("0.6 0.8 0 1\n-0.6 0.8 0 -1\n") == Containing{"estimate 0 +- 1e-13 by rounding"});
-    CHECK(rule_report("0 1 0 0\n") == Containing{"amplitude 0, error bar unknown: the values are 0, or too"});
-    CHECK(rule_report("0 1 0 5e-324\n") == Containing{"error bar unknown: the values are 0, or too small"});
-    CHECK(rule_report("0 1 0 1e154\n") == Containing{"estimate 4.06"});
+    CHECK(report_on("0.6 0.8 0 1\n-0.6 0.8 0 -1\n") == Containing{"estimate 0 +- 1e-13 by rounding"});
+    CHECK(report_on("0 1 0 0\n") == Containing{"amplitude 0, error bar unknown: the values are 0, or too"});
+    CHECK(report_on("0 1 0 5e-324\n") == Containing{"error bar unknown: the values are 0, or too small"});
+    CHECK(report_on("0 1 0 1e154\n") == Containing{"estimate 4.06"});
     for (const char* values : {"0 1 0 1e308\n0.6 0.8 0 1e308\n", "0 1 0 1e155\n"})  // the estimate, or its bar
-        CHECK_THROWS_WITH(rule_report(values), "the values are too large for their squares; divide all by one number");
+        CHECK_THROWS_WITH(report_on(values), "the values are too large for their squares; divide all by one number");
 }
 
 // In arithmetic of 128 bits the gain is 89.563791, and the numbers of the values 3.14159542078, 0.156274806 and
@@ -103,16 +101,15 @@ TEST_CASE("of a matrix that is nearly singular no digit is printed that rounding
         step += formatted("%.17g %.17g %.17g %g\n", w.x, w.y, w.z, w.x > 0 ? 1 : 0.5);
     }
     const std::vector<std::string> model{"--covariance=squared-exponential", "--noise=1e-6"};
-    CHECK(rule_report(cosine, model) == Containing{"of samples 90 times as much"});
-    CHECK(rule_report(cosine, model) == Containing{"estimate 3.1415954, amplitude 0.15627, error bar 1.6e-05\n"});
-    CHECK(rule_report(step, model) == Containing{"estimate 3.1, amplitude 7.5e+03, error bar 0.75\n"});
+    CHECK(report_on(cosine, model) == Containing{"of samples 90 times as much"});
+    CHECK(report_on(cosine, model) == Containing{"estimate 3.1415954, amplitude 0.15627, error bar 1.6e-05\n"});
+    CHECK(report_on(step, model) == Containing{"estimate 3.1, amplitude 7.5e+03, error bar 0.75\n"});
 }
 
 TEST_CASE("directions are drawn from stream 0, and those of a file have no placement") {
-    RuleReport report;
-    parse({"--samples=3", "--placement=fibonacci", "--seed=5"}, report.options());
+    const std::string report = output_of(rule_report, {"--samples=3", "--placement=fibonacci", "--seed=5"});
     Random random(5, 0);
     const double x = sampler_of({PointSet::fibonacci}, 3)(random)[1].x;
-    CHECK(rows_of(report.report()).at(1).at(0) == formatted("%.17g", x));
-    CHECK(rule_report("0 1 0\n", {"--placement=cosine"}) == rule_report("0 1 0\n"));
+    CHECK(rows_of(report).at(1).at(0) == formatted("%.17g", x));
+    CHECK(report_on("0 1 0\n", {"--placement=cosine"}) == report_on("0 1 0\n"));
 }
