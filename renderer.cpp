@@ -1,11 +1,67 @@
 // Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo and writes the picture to standard output.
 #include "base/portable_math.h"
 
-#include "scene/picture_request.h"
+#include "command_line/command_line.h"
+#include "scene/advice.h"
+#include "scene/known_light.h"
+#include "scene/render.h"
+
+using namespace bmc;
+
+static void set_size(RenderSettings& settings, const std::string& text) {
+    const std::size_t cross = text.find('x');
+    settings.width = parse<int>(text.substr(0, cross), 1, 8192);
+    settings.height = cross == std::string::npos ? settings.width : parse<int>(text.substr(cross + 1), 1, 8192);
+}
+
+// A PPM or BMP is brightened by so many stops; a PFM has the radiance itself.
+static std::string file_of(Image image, Format format, double stops) {
+    if (format != Format::pfm) {
+        const double factor = portable::pow(2, stops);
+        for (Colour& pixel : image.pixels) pixel = factor * pixel;
+        warn_of_exposure(image, stops);
+    }
+    return encode(image, format);
+}
+
+static std::string run(Arguments& arguments) {
+    RenderSettings settings;
+    bool light_known = false;
+    std::string environment = built_in_lights[0];
+    double exposure = 0;
+    Format format = Format::ppm;
+    arguments.add("method", method_names, settings.method);
+    arguments.add("samples", "N", "directions per pixel", settings.samples, 1, max_process_samples);
+    arguments.add("pool", "K", "Gaussian processes of --method pool", settings.pool, 1, 1000);
+    add_model_options(arguments, settings, &light_known);
+    arguments.add({"size", "WxH",
+                   formatted("in pixels, or W for a square (default %dx%d)", settings.width, settings.height),
+                   [&](const std::string& text) { set_size(settings, text); }});
+    arguments.add("environment", "FILE", environment_help(), environment);
+    arguments.add("exposure", "X", "brighten a PPM or BMP by X stops", exposure, -200, 200);
+    arguments.add("format", format_names, format, ": sRGB, linear floats, sRGB for any viewer");
+    arguments.add({"threads", "T", "number of threads; the picture does not change (default: all processors)",
+                   [&](const std::string& text) { settings.threads = parse<std::size_t>(text, 1, 256); }});
+    arguments.make_idle({"covariance", "smoothness", "length-scale", "noise"}, "with --method mc",
+                        [&] { return settings.method == Method::mc; });
+    arguments.make_idle({"known"}, "with --method mc", [&] { return settings.method == Method::mc && !light_known; });
+    arguments.make_idle({"pool"}, "without --method pool", [&] { return settings.method != Method::pool; });
+    arguments.make_idle({"pool"}, "with a lattice or an optimised set", [&] { return settings.placement.is_fixed(); });
+    arguments.make_idle({"exposure"}, "with --format pfm", [&] { return format == Format::pfm; });
+    arguments.take("out.ppm");
+
+    const EnvironmentMap light = load_environment(environment, settings.threads);
+    if (light_known)  // by a quotient, which cancels what the weights do to a white world
+        return file_of(render(light, settings, known_light_shader(light, settings)), format, exposure);
+    note_uneven_light(light, settings.samples);
+    const PixelRules rules(settings);
+    warn_of_weights(rules);
+    return file_of(render(light, settings, environment_shader(light, rules)), format, exposure);
+}
 
 int main(int argc, char** argv) {
-    return bmc::run_program("renderer", [&] {
-        bmc::Arguments arguments{{argv, argv + argc}, R"(usage: ./renderer [options] > out.ppm
+    return run_program("renderer", [&] {
+        Arguments arguments{{argv, argv + argc}, R"(usage: ./renderer [options] > out.ppm
        ./renderer --method direct --samples 20 --size 100 > direct.ppm
 
 Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo. The methods:
@@ -15,6 +71,6 @@ Renders the sphere scene with Monte Carlo or Bayesian Monte Carlo. The methods:
   rotated  the same, rotated about the normal by a random angle in each pixel
   pool     in each pixel one of several Gaussian processes, rotated by a random angle
 )"};
-        return bmc::PictureRequest().report(arguments);
+        return run(arguments);
     });
 }

@@ -5,7 +5,8 @@
 #error "the unit tests need doctest; tests/setup test installs it, or shows the names of Debian's packages"
 #endif
 
-#include "scene/picture_request.h"
+#include "command_line/command_line.h"
+#include "scene/render.h"
 
 #include <doctest/doctest.h>
 #include <getopt.h>
@@ -106,11 +107,6 @@ inline std::vector<std::string> parse(std::vector<std::string> words, Arguments&
     optind = 0;  // a fresh scan
     arguments.words = std::move(words);
     return arguments.read();
-}
-inline void parse(const std::vector<std::string>& words, PictureRequest& request) {
-    Arguments arguments;
-    request.add_options(arguments);
-    parse(words, arguments);
 }
 
 // What a command prints for these words.

@@ -1,4 +1,4 @@
-#include "scene/picture_request.h"
+#include "scene/advice.h"
 
 #include "light/texels_on_sphere.h"
 #include "test.h"
@@ -26,11 +26,6 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
     CHECK(warning(8, 0, [](double place) { return std::exp2(10 * place); }) == Containing{"--exposure -10.0 "});
 }
 
-static std::string warning_of(RenderSettings settings) {
-    settings.width = settings.height = 1;
-    return stderr_of([&] { warned_picture(even_map(2, 2, 1), settings); });
-}
-
 // The noise passes both thresholds in small steps: weights cancel where it is small, and vanish where it is large.
 TEST_CASE("weights that cancel, or that make a white world dark, give a warning") {
     RenderSettings settings = small_picture(Method::single, 85);
@@ -40,7 +35,7 @@ TEST_CASE("weights that cancel, or that make a white world dark, give a warning"
         const PixelRules rules(settings);
         const QuadratureRule& rule = *rules.shared[0];
         const double gain = noise_gain(rule), dark = 1 - white_brightness(rule), most = 2 / std::sqrt(3 * 85.0);
-        const std::string warning = warning_of(settings);
+        const std::string warning = stderr_of([&] { warn_of_weights(rules); });
         CAPTURE(settings.noise);
         CHECK(contains(warning, "errors of samples " + two_digits(gain) + " times") == (gain > 2));
         CHECK(contains(warning, formatted("%.0f %% too dark", 100 * dark)) == (gain <= 2 && dark > most));

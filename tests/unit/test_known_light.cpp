@@ -2,7 +2,6 @@
 
 #include "experiments/reports.h"
 #include "light/texels_on_sphere.h"
-#include "scene/picture_request.h"
 #include "test.h"
 
 #include <map>
@@ -121,10 +120,15 @@ TEST_CASE(
 }
 
 TEST_CASE("of two known parts the last one counts") {
-    PictureRequest request;
-    parse({"--known=light", "--known=cosine"}, request);
-    CHECK(request.settings.known_part == KnownPart::cosine);
-    CHECK(!request.light_known);
+    ModelSettings settings;
+    bool light_known = false;
+    Arguments arguments;
+    add_model_options(arguments, settings, &light_known);
+    parse({"--known=light"}, arguments);
+    CHECK(light_known);
+    parse({"--known=light", "--known=cosine"}, arguments);
+    CHECK(settings.known_part == KnownPart::cosine);
+    CHECK(!light_known);
 }
 
 // Under a sun and a sky, of which about half of the samples see one each.
