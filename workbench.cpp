@@ -2,7 +2,6 @@
 // white space under lines that begin with '#', as gnuplot and awk read them.
 #include "base/portable_math.h"
 
-#include "experiments/error_table.h"
 #include "experiments/reports.h"
 
 #include <algorithm>

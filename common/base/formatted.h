@@ -39,4 +39,10 @@ inline std::string listed(const std::vector<std::string>& names) {
         text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
     return text;
 }
+
+// An enumeration stands beside an array of its names, in the order of the enumerators, which options and reports read.
+template <class T, std::size_t count>
+const char* name_of(T value, const char* const (&names)[count]) {
+    return names[static_cast<std::size_t>(value)];
+}
 }  // namespace bmc

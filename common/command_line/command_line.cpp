@@ -1,5 +1,7 @@
 #include "command_line/command_line.h"
 
+#include "base/progress.h"
+
 #include <fcntl.h>
 #include <getopt.h>
 #include <unistd.h>

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "base/formatted.h"
-#include "base/progress.h"
-#include "quadrature/quadrature.h"
+#include "quadrature/model.h"
 
 #include <stdexcept>
 #include <utility>
@@ -80,9 +79,6 @@ struct Help {
     std::string text;
 };
 
-// The largest Gaussian process that a program accepts: Q has 128 MiB and takes seconds to factor.
-inline constexpr std::size_t max_process_samples = 4096;
-
 // Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. With
 // light_known the light can be known, too, beside the cosine.
 void add_model_options(Arguments& arguments, ModelSettings& settings, bool* light_known = nullptr);
@@ -95,12 +91,6 @@ struct Command {
     std::string summary;
     std::string (*report)(Arguments&);  // what it prints; throws std::invalid_argument if values do not fit
 };
-
-// An enumeration stands beside an array of its names, in the order of the enumerators, which options and reports read.
-template <class T, std::size_t count>
-const char* name_of(T value, const char* const (&names)[count]) {
-    return names[static_cast<std::size_t>(value)];
-}
 
 // Prints to stdout what body returns, or the help that it throws, all of it or nothing. Returns the exit status: 0, 2
 // after std::invalid_argument, 1 after any other exception. An exception becomes one line on stderr, which begins with

@@ -3,6 +3,7 @@
 #include "base/progress.h"
 #include "base/statistics.h"
 #include "experiments/integrands.h"
+#include "quadrature/gaussian_process.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 

@@ -1,5 +1,9 @@
 #include "experiments/error_table.h"
 
+#include "base/progress.h"
+#include "experiments/reports.h"
+#include "quadrature/gaussian_process.h"
+
 namespace bmc {
 // An error that is only rounding is 0, so that programs that multiply in another order agree.
 static double absolute_error(double estimate, double truth) {

@@ -2,9 +2,7 @@
 // samples.
 #pragma once
 
-#include "base/progress.h"
 #include "base/statistics.h"
-#include "command_line/command_line.h"
 #include "experiments/integrands.h"
 
 namespace bmc {
@@ -36,7 +34,4 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
 // their standard errors. MC's is about -1/2 for random directions. nan stands for what has no meaning, such as the
 // equivalent random samples of a placement that is not random.
 std::string error_report(const Integrand& integrand, const std::vector<ErrorRow>& rows, Placement placement);
-
-// What the workbench prints without a command: the tables of the practice's integrands.
-std::string error_tables(Arguments& arguments);
 }  // namespace bmc

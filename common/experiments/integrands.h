@@ -2,6 +2,7 @@
 #pragma once
 
 #include "light/environment.h"
+#include "quadrature/model.h"
 #include "quadrature/quadrature.h"
 
 #include <functional>

@@ -1,7 +1,9 @@
 #include "experiments/reports.h"
 
+#include "base/progress.h"
 #include "base/statistics.h"
 #include "experiments/integrands.h"
+#include "quadrature/gaussian_process.h"
 #include "scene/scene.h"
 
 namespace bmc {
@@ -39,7 +41,7 @@ static ModelResults results_of(const ModelSettings& model, const std::vector<Int
             means.error.add(process.integral(values) - integrand.truth);
             means.predicted.add(process.error_bar(values));
             means.monte_carlo.add(estimate(rule, integrand.value) - integrand.truth);
-            if (process.amplitude(values) > 0) means.evidence.add(log_evidence(process, values));  // zeros fit all
+            if (process.amplitude(values) > 0) means.evidence.add(process.log_evidence(values));  // zeros fit all
         }
         all.error.add(means.error.value());
         all.predicted.add(means.predicted.value());
@@ -69,12 +71,6 @@ static std::vector<Integrand> scene_integrands(const std::shared_ptr<const Envir
     return integrands;
 }
 
-double log_evidence(const GaussianProcess& process, const std::vector<double>& values) {
-    double half_log_determinant = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) half_log_determinant += portable::log(process.cholesky.upper(k, k));
-    return -static_cast<double>(values.size()) * portable::log(process.amplitude(values)) - half_log_determinant;
-}
-
 std::string models_report(Arguments& arguments) {
     std::string environment = built_in_lights[0];
     std::size_t samples = 40;
@@ -98,11 +94,10 @@ std::string models_report(Arguments& arguments) {
         const ModelResults v = results_of(model, integrands, samples);
         mc = v.monte_carlo;
         progress.done();
-        const double parameter = model.covariance == CovarianceFamily::sobolev ? model.smoothness : model.length_scale;
         const double ratio = v.predicted.value() / v.error.value();
         if (evidence_of_default == 0) evidence_of_default = v.evidence.mean;
         text += formatted("%-21s %9g %6g %10.4g %10.2g %6s %9.1f\n", name_of(model.covariance, covariance_names),
-                          parameter, model.noise, v.error.value(), v.error.standard_error(),
+                          model.parameter(), model.noise, v.error.value(), v.error.standard_error(),
                           std::isfinite(ratio) ? formatted("%.2f", ratio).c_str() : "nan",
                           v.evidence.mean - evidence_of_default);
     }

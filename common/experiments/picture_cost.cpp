@@ -1,4 +1,4 @@
-#include "experiments/reports.h"
+#include "experiments/picture_cost.h"
 
 #include <chrono>
 

@@ -1,6 +1,9 @@
 #include "experiments/reports.h"
 
-#include "quadrature/quadrature.h"
+#include "base/progress.h"
+#include "experiments/stability.h"
+#include "quadrature/gaussian_process.h"
+#include "scene/advice.h"
 
 namespace bmc {
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
@@ -104,7 +107,7 @@ std::string stability_report(Arguments& arguments) {
     const std::vector<Setting> all = settings(sample_counts);
     Progress progress("rules", 4 * all.size());
     for (const auto& [set, samples, family, parameter] : all) {
-        const auto covariance = ModelSettings{family, parameter, parameter}.make_covariance();
+        const auto covariance = make_covariance(family, parameter);
         const std::vector<Vec3> directions = sample_set(set, samples);
         const auto weights = weights_of(*covariance, directions, 1);
         double errors[std::size(noises)] = {};

@@ -1,4 +1,6 @@
+#include "experiments/picture_cost.h"
 #include "experiments/reports.h"
+#include "quadrature/gaussian_process.h"
 
 #include <numeric>
 

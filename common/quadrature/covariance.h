@@ -9,8 +9,10 @@
 
 #include "quadrature/hemisphere.h"
 
+#include <memory>
+
 namespace bmc {
-// A covariance has to define only k and M. ModelSettings::make_covariance chooses one of the classes below.
+// A covariance has to define only k and M.
 struct Covariance {
     virtual ~Covariance() = default;
 
@@ -77,4 +79,13 @@ struct SquaredExponential final : Covariance {
     double z(double cos_theta) const override;
     double zz() const override { return zz_value; }
 };
+
+// Add a covariance here and to the table; the compiler then asks for its case in make_covariance.
+enum class CovarianceFamily { sobolev, squared_exponential };
+inline constexpr const char* covariance_names[] = {"sobolev", "squared-exponential"};
+
+// The covariance of this family and parameter, the smoothness of sobolev or else the length-scale. Throws
+// std::invalid_argument as its constructor does, and if its z has no closed form for this known part.
+std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter,
+                                                  KnownPart p = KnownPart::nothing);
 }  // namespace bmc

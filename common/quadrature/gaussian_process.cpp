@@ -74,4 +74,10 @@ double GaussianProcess::amplitude(const std::vector<double>& values) const {
     const std::vector<double> g = cholesky.forward_substitution(values);  // |g|^2 = Y^T Q^-1 Y
     return std::sqrt(dot(g, g) / static_cast<double>(values.size()));
 }
+
+double GaussianProcess::log_evidence(const std::vector<double>& values) const {
+    double half_log_determinant = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) half_log_determinant += portable::log(cholesky.upper(k, k));
+    return -static_cast<double>(values.size()) * portable::log(amplitude(values)) - half_log_determinant;
+}
 }  // namespace bmc

@@ -37,6 +37,11 @@ struct GaussianProcess {
     // of values below 1e-140 or above 1e150 would lose digits or overflow.
     double amplitude(const std::vector<double>& values) const;
 
+    // Log evidence of the values up to a constant, with the amplitude that maximises it, a: -n/2 log a^2 - 1/2 log det
+    // Q (Rasmussen & Williams, "Gaussian Processes for Machine Learning", 2006, eq. 5.8). Processes with one known part
+    // can be compared by it.
+    double log_evidence(const std::vector<double>& values) const;
+
     // The error bar of integral(values): a sqrt(V), the posterior standard deviation. nan if V is below 1e-12 zz: then
     // V is only the rounding error of a difference.
     double error_bar(const std::vector<double>& values) const {

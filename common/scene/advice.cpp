@@ -37,6 +37,23 @@ void note_uneven_light(const EnvironmentMap& light, std::size_t samples) {
     print_note("note: --known light models this light");
 }
 
+// W_j. Not by cosine_rule, which students write: assignment 3.1 prints these numbers before that.
+static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
+    return rule.weights[j] * (rule.known_part == KnownPart::cosine ? 1 : rule.directions[j].y);
+}
+
+double white_brightness(const QuadratureRule& rule) {
+    double sum = 0;
+    for (std::size_t j = 0; j < rule.size(); ++j) sum += weight_in_picture(rule, j);
+    return sum / portable::pi;
+}
+
+double noise_gain(const QuadratureRule& rule) {
+    double squares = 0;
+    for (std::size_t j = 0; j < rule.size(); ++j) squares += weight_in_picture(rule, j) * weight_in_picture(rule, j);
+    return std::sqrt(3 * static_cast<double>(rule.size()) * squares) / (2 * portable::pi);
+}
+
 // On average over the shared rules, or over four fresh ones where pixels share none.
 void warn_of_weights(const PixelRules& rules) {
     SharedRules examined = rules.shared;

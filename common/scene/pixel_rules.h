@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/progress.h"
+#include "quadrature/model.h"
 #include "quadrature/quadrature.h"
 
 namespace bmc {

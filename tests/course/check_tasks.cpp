@@ -3,6 +3,7 @@
 // those of the solution. For that the inputs are well conditioned: with noise of 3.1 any right program agrees in seven
 // digits, and one that computes with floats does not.
 #include "experiments/error_table.h"
+#include "quadrature/gaussian_process.h"
 #include "scene/render.h"
 
 #include <iostream>

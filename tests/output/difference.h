@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command_line/command_line.h"
-#include "experiments/reports.h"
+#include "experiments/picture_cost.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,5 +1,7 @@
 // libFuzzer: any bytes are a map of radiances, rows of numbers or the options of a command, or an error of one line.
-#include "experiments/reports.h"
+#include "command_line/command_line.h"
+#include "experiments/samples.h"
+#include "light/environment.h"
 
 #include <getopt.h>
 

@@ -166,16 +166,6 @@ inline EnvironmentMap sunny_map() {  // dim, with a sun of 6 x 6 degrees
     return map;
 }
 
-// The covariance that the options of these names make.
-inline std::shared_ptr<const Covariance> covariance_of(CovarianceFamily family, double parameter,
-                                                       KnownPart p = KnownPart::nothing) {
-    ModelSettings settings;
-    settings.covariance = family;
-    settings.smoothness = settings.length_scale = parameter;
-    settings.known_part = p;
-    return settings.make_covariance();
-}
-
 inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = {},
                                     KnownPart p = KnownPart::nothing) {
     RenderSettings settings;

@@ -1,5 +1,4 @@
 #include "quadrature/covariance.h"
-#include "quadrature/quadrature.h"
 #include "test.h"
 
 constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = CovarianceFamily::squared_exponential;
@@ -7,7 +6,7 @@ constexpr auto sobolev = CovarianceFamily::sobolev, squared_exponential = Covari
 // Names the place of a covariance that is only added to the table, and holds M and z of all of them to their k.
 TEST_CASE("the M and z of every covariance with a name agree with its k") {
     for (std::size_t family = 0; family < std::size(covariance_names); ++family) {
-        const auto covariance = covariance_of(static_cast<CovarianceFamily>(family), 1.5);
+        const auto covariance = make_covariance(static_cast<CovarianceFamily>(family), 1.5);
         INFO(std::string(covariance_names[family]));
         for (const double b : {0.01, 0.7, 2.0}) {
             CAPTURE(b);
@@ -34,7 +33,7 @@ TEST_CASE("z and zz agree with 20 digits of quadrature to 2e-15, or 1e-14 at l =
         const KnownPart p = name == "sobolev_cosine" ? KnownPart::cosine : KnownPart::nothing;
         const double parameter = std::stod(rows[row][1]);
         const auto covariance =
-            covariance_of(name == "squared_exponential" ? squared_exponential : sobolev, parameter, p);
+            make_covariance(name == "squared_exponential" ? squared_exponential : sobolev, parameter, p);
         for (std::size_t i = 2; i < 2 + 12; ++i) {
             const double ours = rows[0][i] == "zz" ? covariance->zz() : covariance->z(std::stod(rows[0][i]));
             INFO(name, " ", parameter, ": ", rows[0][i]);
@@ -52,7 +51,7 @@ TEST_CASE("parameters and known parts that a covariance cannot have are refused"
     CHECK_THROWS_WITH(Sobolev().z(1.25), "cos(theta) must lie between 0 and 1; it is 1.25");
     for (const CovarianceFamily family : {sobolev, squared_exponential}) {
         for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})
-            CHECK_THROWS_AS_MESSAGE(covariance_of(family, 1.4)->z(cosine), std::invalid_argument, cosine);
-        CHECK_THROWS_AS(covariance_of(family, 1.4, KnownPart::cosine), std::invalid_argument);
+            CHECK_THROWS_AS_MESSAGE(make_covariance(family, 1.4)->z(cosine), std::invalid_argument, cosine);
+        CHECK_THROWS_AS(make_covariance(family, 1.4, KnownPart::cosine), std::invalid_argument);
     }
 }

@@ -78,7 +78,7 @@ TEST_CASE(
     "equal weights have a smaller worst-case error on optimised directions than on a lattice, the same each time") {
     for (const auto& [n, most] : {std::pair(std::size_t{1}, 1.01), {2, 0.93}, {7, 0.92}, {40, 0.96}, {97, 0.975}})
         for (const KnownPart p : {KnownPart::nothing, KnownPart::cosine}) {
-            const auto covariance = covariance_of(CovarianceFamily::sobolev, 1.5, p);
+            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, p);
             const std::vector<Vec3> directions = optimised_directions(n, p);
             const double v = variance_of_equal_weights(*covariance, directions);
             CAPTURE(directions.size());
@@ -93,7 +93,7 @@ TEST_CASE(
 TEST_CASE("all rotations of optimised directions together have less than a hundredth of V") {
     for (const std::size_t n : {5u, 10u, 40u})
         for (const KnownPart p : {KnownPart::nothing, KnownPart::cosine}) {
-            const auto covariance = covariance_of(CovarianceFamily::sobolev, 1.5, p);
+            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, p);
             const std::vector<Vec3> directions = optimised_directions(n, p);
             std::vector<Vec3> rotations;
             for (int i = 0; i < 64; ++i)

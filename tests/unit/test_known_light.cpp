@@ -1,5 +1,6 @@
 #include "scene/known_light.h"
 
+#include "experiments/picture_cost.h"
 #include "experiments/reports.h"
 #include "light/texels_on_sphere.h"
 #include "test.h"

@@ -1,5 +1,7 @@
-#include "experiments/reports.h"
+#include "experiments/picture_cost.h"
 #include "test.h"
+
+#include <set>
 
 static Image even_picture(int size) {
     Image image(size, size);

@@ -1,4 +1,5 @@
 #include "experiments/reports.h"
+#include "experiments/samples.h"
 #include "test.h"
 
 static Samples samples_in(const std::string& content) {

@@ -1,4 +1,6 @@
-#include "experiments/reports.h"
+#include "experiments/stability.h"
+
+#include "quadrature/gaussian_process.h"
 #include "test.h"
 
 // A claim of d digits: no error of a weight exceeds 10^-d of the largest weight.
@@ -18,8 +20,8 @@ TEST_CASE("the digits that stability calls right are right, held against weights
         const std::size_t n = std::stoul(claim[1]);
         const auto directions = sample_set(static_cast<SampleSet>(set - sample_set_names), n);
         const auto covariance =
-            covariance_of(claim[2] == "sobolev" ? CovarianceFamily::sobolev : CovarianceFamily::squared_exponential,
-                          std::stod(claim[3]));
+            make_covariance(claim[2] == "sobolev" ? CovarianceFamily::sobolev : CovarianceFamily::squared_exponential,
+                            std::stod(claim[3]));
         std::size_t column = 4;
         for (const double noise : {1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0.0}) {
             CAPTURE(claim);

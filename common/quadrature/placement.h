@@ -1,0 +1,27 @@
+// How the directions of a rule are placed: as a set of points (hemisphere.h), of a density that is the known part
+// divided by its integral.
+#pragma once
+
+#include "quadrature/hemisphere.h"
+
+#include <functional>
+#include <string>
+
+namespace bmc {
+enum class PointSet { random, stratified, fibonacci, optimised };
+inline constexpr const char* point_set_names[] = {"uniform", "stratified", "fibonacci", "optimised"};
+struct Placement {
+    PointSet set = PointSet::random;
+    KnownPart density = KnownPart::nothing;
+
+    // Whether all sets are one, but for a rotation: a lattice, or an optimised set.
+    bool is_fixed() const { return set != PointSet::random && set != PointSet::stratified; }
+
+    std::string name() const;  // uniform, cosine, stratified, cosine-stratified, ...
+};
+std::vector<Placement> all_placements();
+
+// Draws a fresh set of n >= 1 directions. A fixed set is made once, here, and then rotated by random angles.
+using Sampler = std::function<std::vector<Vec3>(Random&)>;
+Sampler sampler_of(Placement placement, std::size_t n);
+}  // namespace bmc
