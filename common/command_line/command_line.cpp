@@ -55,12 +55,12 @@ void add_model_options(Arguments& arguments, ModelSettings& s, bool* light_known
     arguments.add("length-scale", "X", "of the other covariances, from 0.05", s.length_scale, min_length_scale,
                   max_length_scale);
     arguments.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
-    std::vector<std::string> known{std::begin(known_part_names), std::end(known_part_names)};
+    std::vector<std::string> known{"nothing", "cosine"};
     if (light_known) known.push_back("light");
     arguments.add(choice("known", known, 0,
                          ": known part of the integrand; a cosine placement makes it cosine unless given",
                          [=, &s](std::size_t chosen) {
-                             s.known_part = chosen > 0 ? KnownPart::cosine : KnownPart::nothing;
+                             s.knows_cosine = chosen > 0;
                              if (light_known) *light_known = chosen == 2;
                          }));
     std::vector<std::string> placements;

@@ -113,12 +113,12 @@ std::string belief_discs(Arguments& arguments) {
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise, sampler_of(settings.placement, samples)(random));
     const auto incident = [&](Vec3 omega) {
-        return luminance(view.light(omega)) * known_value(covariance->known_part(), omega);
+        return luminance(view.light(omega)) * known_part(covariance->knows_cosine(), omega);
     };
     const auto square = [&](Vec3 omega) { return luminance(view.light(omega)) * incident(omega); };
-    const std::vector<double> values = unknown_part(incident, process.directions, covariance->known_part());
+    const std::vector<double> values = unknown_part(incident, process.directions, covariance->knows_cosine());
     print_estimate(process, values, reference_integral(incident),
-                   std::sqrt(reference_integral(square) / known_integral(covariance->known_part())));
+                   std::sqrt(reference_integral(square) / known_integral(covariance->knows_cosine())));
     Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Colour>(samples)};
     for (double Colour::*channel : {&Colour::x, &Colour::y, &Colour::z}) {
         std::vector<double> light;

@@ -4,6 +4,8 @@
 #include "experiments/reports.h"
 #include "quadrature/gaussian_process.h"
 
+#include <numeric>
+
 namespace bmc {
 // An error that is only rounding is 0, so that programs that multiply in another order agree.
 static double absolute_error(double estimate, double truth) {
@@ -11,45 +13,23 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// By the number of an estimate: its rule, or its process, of fresh directions.
-using RuleOf = std::function<QuadratureRule(std::size_t)>;
-using ProcessOf = std::function<GaussianProcess(std::size_t)>;
-
-// Adds to rows[i] the errors of so many estimates of integrands[i] by Monte Carlo. Estimate e is the sum of the weights
-// of rule_of(e) times the values in its directions; call rule_of once for all integrands.
+// Adds the error of an estimate by Monte Carlo, the sum of weights times values.
 // BEGIN SOLUTION table
-static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands, std::size_t estimates,
-                          const RuleOf& rule_of) {
-    for (std::size_t e = 0; e < estimates; ++e) {
-        const QuadratureRule rule = rule_of(e);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
-    }
+static void add_mc_error(ErrorRow& row, const std::vector<double>& weights, const std::vector<double>& values,
+                         double truth) {
+    row.mc.add(absolute_error(std::inner_product(values.begin(), values.end(), weights.begin(), 0.0), truth));
 }
 // END SOLUTION
 
-// The same by process_of(e), and the absolute errors that the processes predict: a normal error of the standard
-// deviation s, here the error bar of an estimate, has the mean absolute value sqrt(2 / pi) s.
+// The same by a process, and the absolute error that it predicts: a normal error of the standard deviation s, here the
+// error bar of the estimate, has the mean absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
-static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands, std::size_t estimates,
-                           const ProcessOf& process_of) {
-    for (std::size_t e = 0; e < estimates; ++e) {
-        const GaussianProcess process = process_of(e);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const std::vector<double> values = unknown_part(integrands[i].value, process.directions);
-            rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
-            rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
-        }
-    }
+static void add_bmc_error(ErrorRow& row, const GaussianProcess& process, const std::vector<double>& values,
+                          double truth) {
+    row.bmc.add(absolute_error(process.integral(values), truth));
+    row.predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
 }
 // END SOLUTION
-
-// What the functions above sample: f / p in place of f, so that they need not know of p.
-static std::vector<Integrand> unknown_parts(std::vector<Integrand> integrands, KnownPart p) {
-    for (Integrand& each : integrands)
-        each.value = [=, f = each.value](Vec3 omega) { return f(omega) / known_value(p, omega); };
-    return integrands;
-}
 
 // Four digits, or nan for what is not finite: printf would print some as -nan.
 static std::string cell(int width, double number) {
@@ -63,26 +43,33 @@ static std::string mean_cells(const Statistics& errors, int width) {
 
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings) {
-    Progress progress(formatted("estimates from %zu samples", samples), settings.mc_estimates + settings.bmc_estimates);
-    std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
-    const auto directions_of = [&, drawn = directions_of_estimates(settings, samples)](std::size_t e) {
-        progress.done();
-        return drawn(e);
-    };
-    const KnownPart density = settings.placement.density;
-    add_mc_errors(rows, unknown_parts(integrands, density), settings.mc_estimates, [&](std::size_t e) {
-        QuadratureRule rule = monte_carlo_rule(directions_of(e), density);
-        rule.known_part = KnownPart::nothing;  // of f / p
-        return rule;
-    });
     const auto covariance = settings.make_covariance();
-    const std::vector<Integrand> unknown = unknown_parts(integrands, covariance->known_part());
-    try {
-        add_bmc_errors(rows, unknown, settings.bmc_estimates,
-                       [&](std::size_t e) { return GaussianProcess(*covariance, settings.noise, directions_of(e)); });
-    } catch (const NotPositiveDefinite& error) {
-        print_note("warning: no Gaussian process with " + std::to_string(samples) + " samples: " + error.what());
-        for (ErrorRow& row : rows) row.bmc = row.predicted = {};
+    const auto directions_of = directions_of_estimates(settings, samples);
+    std::size_t mc_estimates = settings.mc_estimates, bmc_estimates = settings.bmc_estimates;
+    std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
+    Progress progress(formatted("estimates from %zu samples", samples), std::max(mc_estimates, bmc_estimates));
+    for (std::size_t e = 0; e < std::max(mc_estimates, bmc_estimates); ++e) {
+        const std::vector<Vec3> directions = directions_of(e);
+        if (e < mc_estimates) {
+            const QuadratureRule rule = monte_carlo_rule(directions, settings.placement.density);
+            for (std::size_t i = 0; i < rows.size(); ++i)
+                add_mc_error(rows[i], rule.weights, unknown_part(integrands[i].value, directions, rule.knows_cosine),
+                             integrands[i].truth);
+        }
+        if (e < bmc_estimates) {
+            try {
+                const GaussianProcess process(*covariance, settings.noise, directions);
+                for (std::size_t i = 0; i < rows.size(); ++i)
+                    add_bmc_error(rows[i], process,
+                                  unknown_part(integrands[i].value, directions, covariance->knows_cosine()),
+                                  integrands[i].truth);
+            } catch (const NotPositiveDefinite& error) {
+                print_note(formatted("warning: no Gaussian process with %zu samples: ", samples) + error.what());
+                for (ErrorRow& row : rows) row.bmc = row.predicted = {};
+                bmc_estimates = 0;
+            }
+        }
+        progress.done();
     }
     return rows;
 }

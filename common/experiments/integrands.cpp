@@ -34,15 +34,15 @@ double reference_integral(const std::function<double(Vec3)>& f) {
 }
 
 std::vector<double> unknown_part(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
-                                 KnownPart p) {
+                                 bool knows_cosine) {
     std::vector<double> values;
     values.reserve(directions.size());
-    for (const Vec3& omega : directions) values.push_back(f(omega) / known_value(p, omega));
+    for (const Vec3& omega : directions) values.push_back(f(omega) / known_part(knows_cosine, omega));
     return values;
 }
 
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f) {
-    const std::vector<double> values = unknown_part(f, rule.directions, rule.known_part);
+    const std::vector<double> values = unknown_part(f, rule.directions, rule.knows_cosine);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 

@@ -46,8 +46,8 @@ static std::string known_light_table(const CostSettings& costs, const std::strin
     const RenderSettings dense = row_settings(costs, {}, 1);
     const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 16);
     const EnvironmentMap irradiance = light_around(cells_of_light(map, 1e300, 64), 0, 128, 0, dense.threads);
-    constexpr Placement stratified{PointSet::stratified, KnownPart::cosine};
-    constexpr Placement optimised{PointSet::optimised, KnownPart::cosine};
+    constexpr Placement stratified{PointSet::stratified, Density::cosine};
+    constexpr Placement optimised{PointSet::optimised, Density::cosine};
     std::vector<PictureCost> compared{
         compared_picture(map, Method::mc, 1, {}),         compared_picture(map, Method::pool, 20, {}),
         compared_picture(map, Method::mc, 1, stratified), compared_picture(map, Method::mc, 1, optimised),

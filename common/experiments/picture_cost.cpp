@@ -105,14 +105,14 @@ PictureCost compared_picture(const EnvironmentMap& light, Method method, std::si
 }
 
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light) {
-    constexpr Placement uniform, cosine{PointSet::random, KnownPart::cosine};
+    constexpr Placement uniform, cosine{PointSet::random, Density::cosine};
     std::vector<PictureCost> pictures{
         compared_picture(light, Method::mc, 1, uniform),      compared_picture(light, Method::mc, 1, cosine),
         compared_picture(light, Method::direct, 1, uniform),  compared_picture(light, Method::single, 1, uniform),
         compared_picture(light, Method::rotated, 1, uniform), compared_picture(light, Method::pool, 5, uniform),
         compared_picture(light, Method::pool, 20, uniform),   compared_picture(light, Method::pool, 20, cosine)};
     for (const PointSet set : {PointSet::stratified, PointSet::fibonacci, PointSet::optimised}) {
-        const Placement placement{set, KnownPart::cosine};
+        const Placement placement{set, Density::cosine};
         pictures.push_back(compared_picture(light, Method::mc, 1, placement));
         pictures.push_back(compared_picture(light, Method::pool, placement.is_fixed() ? 1 : 20, placement));
     }
@@ -143,7 +143,9 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed) {
         const RenderSettings& s = row.settings;
         const PictureCost& mc = *std::find_if(
             rows.begin(), rows.end(), [&](const PictureCost& first) { return first.settings.samples == s.samples; });
-        const char* const known = row.light_known ? "light" : name_of(s.placement.density, known_part_names);
+        const char* const known = row.light_known                          ? "light"
+                                  : s.placement.density == Density::cosine ? "cosine"
+                                                                           : "nothing";
         const double rmse = row.rmse.value(), gain = mc.rmse.value() * mc.rmse.value() / (rmse * rmse);
         text += formatted("%-9s %4zu %-17s %-7s %7zu %10.5f %10.5f %11.4f %10.5f %10s", row.method_column, s.pool,
                           s.placement.name().c_str(), known, s.samples, rmse, row.rmse.standard_error(),

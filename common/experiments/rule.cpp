@@ -38,9 +38,10 @@ static std::string sum_of(const GaussianProcess& process, const std::vector<doub
     return right_digits(process.integral(values), error, most);
 }
 
-static std::string weights_block(const GaussianProcess& process, KnownPart p) {
+static std::string weights_block(const GaussianProcess& process, bool knows_cosine) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
-    const double integral = known_integral(p), gain = noise_gain({process.directions, process.weights, p});
+    const double integral = known_integral(knows_cosine),
+                 gain = noise_gain({process.directions, process.weights, knows_cosine});
     const std::vector<double> ones(process.z.size(), 1), parts(process.z.size(), 1 / integral);
     std::vector<double> white, squares;  // by which the weights sum to B, and to the gain^2 but for a factor
     int negative = 0;
@@ -49,7 +50,7 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
         const double weight = process.weights[i];
         text += formatted("%24.17g %24.17g %24.17g %12.9g %24.17g\n", omega.x, omega.y, omega.z, process.z[i], weight);
         negative += weight < 0;
-        white.push_back((p == KnownPart::cosine ? 1 : omega.y) / portable::pi);
+        white.push_back((knows_cosine ? 1 : omega.y) / portable::pi);
         squares.push_back(white[i] * white[i] * weight);
     }
     const double error = rounding(process, process.weights, process.cholesky.solve(squares));
@@ -60,12 +61,12 @@ static std::string weights_block(const GaussianProcess& process, KnownPart p) {
 # of samples %s times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.
 # 17 digits give back the same doubles; ./workbench stability tells how many of a weight's digits are right.
 )",
-                      sum_of(process, ones, 6).c_str(), p == KnownPart::cosine ? "cos(theta)" : "1", integral,
+                      sum_of(process, ones, 6).c_str(), knows_cosine ? "cos(theta)" : "1", integral,
                       sum_of(process, parts, 4).c_str(), negative, sum_of(process, white, 4).c_str(),
                       right_digits(gain, gain * error / process.integral(squares), 3).c_str());
 }
 
-static std::string estimate_line(const GaussianProcess& process, KnownPart p, const std::vector<double>& values) {
+static std::string estimate_line(const GaussianProcess& process, bool knows_cosine, const std::vector<double>& values) {
     const double bar = process.error_bar(values), amplitude = process.amplitude(values);
     if (!std::isfinite(amplitude) || std::isinf(bar))
         throw std::runtime_error("the values are too large for their squares; divide all by one number");
@@ -81,7 +82,7 @@ static std::string estimate_line(const GaussianProcess& process, KnownPart p, co
         bar_text = "unknown: what is left of the variance may be rounding; more noise makes it larger";
     if (amplitude == 0) bar_text = "unknown: the values are 0, or too small to be squared";
     return formatted("# The integral of the values%s: estimate %s, amplitude %s, error bar ",
-                     p == KnownPart::cosine ? " times cos(theta)" : "", sum_of(process, values, 9).c_str(),
+                     knows_cosine ? " times cos(theta)" : "", sum_of(process, values, 9).c_str(),
                      right_digits(amplitude, of_amplitude * amplitude, 6).c_str()) +
            bar_text + '\n';
 }
@@ -104,12 +105,12 @@ std::string rule_report(Arguments& arguments) {
     const Samples given = directions.empty() ? Samples{sampler_of(settings.placement, samples)(random)}
                                              : read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);
-    std::string text = weights_block(process, covariance->known_part());
+    std::string text = weights_block(process, covariance->knows_cosine());
     if (!directions.empty())
         text += R"(# The weights are right if nobody looked at f to choose the directions. If some were drawn
 # towards the light, an estimate may be far too bright: let f be the visibility, and the light a known factor.
 )";
-    if (!given.values.empty()) text += estimate_line(process, covariance->known_part(), given.values);
+    if (!given.values.empty()) text += estimate_line(process, covariance->knows_cosine(), given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());

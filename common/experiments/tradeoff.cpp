@@ -66,7 +66,7 @@ static std::string rule_costs() {
 }
 
 static std::string tradeoff_table(const CostSettings& costs, const std::string& name, const EnvironmentMap& light) {
-    const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, KnownPart::cosine});
+    const PictureCost dense = compared_picture(light, Method::mc, 1, {PointSet::fibonacci, Density::cosine});
     const Image truth = dense.image(row_settings(costs, dense.settings, 10000));
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under ", costs.size, costs.size) +
            name +

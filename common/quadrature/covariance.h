@@ -4,7 +4,7 @@
 // quadrature", J. Stat. Plan. Inf. 1991):
 //     z(omega) = integral over H of k(omega, omega') p(omega') d omega',
 //     zz = integral over H of z(omega) p(omega) d omega,
-// where f p is the integrand: the Gaussian process models f, and p, the known part, is 1 unless you ask for another.
+// where f p is the integrand: the Gaussian process models f. p is the known part, 1, or cos(theta) if that is known.
 #pragma once
 
 #include "quadrature/hemisphere.h"
@@ -12,6 +12,10 @@
 #include <memory>
 
 namespace bmc {
+// p(direction), and the integral of p over H.
+inline double known_part(bool knows_cosine, Vec3 direction) { return knows_cosine ? direction.y : 1; }
+inline double known_integral(bool knows_cosine) { return knows_cosine ? portable::pi : 2 * portable::pi; }
+
 // A covariance has to define only k and M.
 struct Covariance {
     virtual ~Covariance() = default;
@@ -33,7 +37,7 @@ struct Covariance {
     // squared exponential, too, which 1/4 leaves 1e-10 off at l = 0.05.
     double z_by_caps(double cos_theta, double step) const;
 
-    virtual KnownPart known_part() const { return KnownPart::nothing; }  // p
+    virtual bool knows_cosine() const { return false; }
 };
 
 // Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3. Its functions are continuous but
@@ -49,7 +53,7 @@ struct Sobolev : Covariance {
 struct SobolevKnownCosine final : Sobolev {
     double z(double cos_theta) const override;
     double zz() const override { return 16.787120248013257721; }  // by quadrature to 20 digits
-    KnownPart known_part() const override { return KnownPart::cosine; }
+    bool knows_cosine() const override { return true; }
 };
 
 // Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
@@ -85,7 +89,6 @@ enum class CovarianceFamily { sobolev, squared_exponential };
 inline constexpr const char* covariance_names[] = {"sobolev", "squared-exponential"};
 
 // The covariance of this family and parameter, the smoothness of sobolev or else the length-scale. Throws
-// std::invalid_argument as its constructor does, and if its z has no closed form for this known part.
-std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter,
-                                                  KnownPart p = KnownPart::nothing);
+// std::invalid_argument as its constructor does, and if its z has no closed form where the cosine is known.
+std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter, bool knows_cosine = false);
 }  // namespace bmc

@@ -4,14 +4,14 @@
 
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
-static inline Vec3 direction_at(double u, double turns, KnownPart density) {
-    const double cos_theta = density == KnownPart::cosine ? std::sqrt(u) : u;
+static inline Vec3 direction_at(double u, double turns, Density density) {
+    const double cos_theta = density == Density::cosine ? std::sqrt(u) : u;
     const double sin_theta = std::sqrt((1 - cos_theta) * (1 + cos_theta));  // sqrt(1 - cos^2), exact near 1
     const portable::SineCosine azimuth = portable::sincos_turns(turns);
     return {sin_theta * azimuth.sine, cos_theta, sin_theta * azimuth.cosine};
 }
 
-std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart density) {
+std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density) {
     std::vector<double> u(n), turns(n);
     for (std::size_t i = 0; i < n; ++i) {
         u[i] = 1 - random.uniform();
@@ -22,7 +22,7 @@ std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart den
     return directions;
 }
 
-std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart density) {
+std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Density density) {
     const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)) / 2 + 0.5);
     const double rotation = random.uniform();
     std::vector<Vec3> directions;
@@ -38,7 +38,7 @@ std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart
     return directions;
 }
 
-std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart density) {
+std::vector<Vec3> fibonacci_directions(std::size_t n, Density density) {
     constexpr double golden = 0.61803398874989484820;  // 1 / golden ratio: the golden angle in turns
     std::vector<Vec3> directions(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -50,7 +50,7 @@ std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart density) {
 
 // As k is 8/3 - r, V falls as the distances between the directions grow. Each direction in turn tries another azimuth,
 // nearer from sweep to sweep, and keeps it if the sum of the distances grows.
-std::vector<Vec3> optimised_directions(std::size_t n, KnownPart density) {
+std::vector<Vec3> optimised_directions(std::size_t n, Density density) {
     constexpr int sweeps = 50;
     std::vector<Vec3> directions = fibonacci_directions(n, density);
     Random random(0, n);

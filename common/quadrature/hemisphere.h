@@ -8,37 +8,33 @@
 #include <vector>
 
 namespace bmc {
-// What is known of a function of directions, its factor p: nothing, so that p is 1, or p = cos(theta).
-enum class KnownPart { nothing, cosine };
-inline constexpr const char* known_part_names[] = {"nothing", "cosine"};
+// Where directions are dense: uniform, 1 / (2 pi) everywhere, or in proportion to the cosine, cos(theta) / pi.
+enum class Density { uniform, cosine };
+inline constexpr const char* density_names[] = {"uniform", "cosine"};
 
-// p(direction), and the integral of p over H.
-inline double known_value(KnownPart p, Vec3 direction) { return p == KnownPart::cosine ? direction.y : 1; }
-inline double known_integral(KnownPart p) { return p == KnownPart::cosine ? portable::pi : 2 * portable::pi; }
-
-// n independent directions. For p = 1 they are uniform, of density 1 / (2 pi): cos(theta) is u, uniform in (0, 1], and
-// the azimuth is uniform (Archimedes). For p = cos(theta) the density is cos(theta) / pi: the cosine is sqrt(u), which
-// is below c with the probability c^2 (Malley's method). u is drawn first, then the azimuth.
-std::vector<Vec3> random_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
+// n independent directions. If the density is uniform, cos(theta) is u, uniform in (0, 1], and so is the azimuth
+// (Archimedes). For the density cos(theta) / pi the cosine is sqrt(u), which is below c with the probability c^2
+// (Malley's method). u is drawn first, then the azimuth.
+std::vector<Vec3> random_directions(std::size_t n, Random& random, Density density = Density::uniform);
 
 // n directions of this density: a random one in each of n cells of equal area, in about sqrt(n) / 2 rows of u, so that
 // cells are about as high as they are wide on the hemisphere. Rows differ by at most one cell, and each is as high as
 // its cells require (Cook, Porter & Carpenter, "Distributed ray tracing", SIGGRAPH 1984). All are rotated about the up
 // axis by a random angle, which is drawn first.
-std::vector<Vec3> stratified_directions(std::size_t n, Random& random, KnownPart p = KnownPart::nothing);
+std::vector<Vec3> stratified_directions(std::size_t n, Random& random, Density density = Density::uniform);
 
 // n directions of this density on the spherical Fibonacci lattice: u = 1 - (i + 1/2) / n and azimuths of i golden
 // angles (Marques, Bouville, Ribardiere, Santos & Bouatouch, "Spherical Fibonacci point sets for illumination
 // integrals", Computer Graphics Forum 2013, eq. 2).
-std::vector<Vec3> fibonacci_directions(std::size_t n, KnownPart p = KnownPart::nothing);
+std::vector<Vec3> fibonacci_directions(std::size_t n, Density density = Density::uniform);
 
-// n directions on which equal weights w, the integral of p over n, have a small worst-case error for the covariance
+// n directions on which equal weights w, 2 pi or pi over n, have a small worst-case error for the covariance
 // Sobolev 3/2 (covariance.h). Its square is V = zz - 2 w sum of z_i + w^2 sum of k(omega_i, omega_j). They come from
 // the lattice by a fixed stream of random moves, in a time that grows as n^2: 4096 take seconds. Only azimuths move. If
 // heights did, V would be a few per cent smaller, but a tenth of it, where n is 10, would be an error that all
 // rotations of the set share, and pictures would be too bright or too dark. Of the lattice's heights it is below a
 // hundredth.
-std::vector<Vec3> optimised_directions(std::size_t n, KnownPart p = KnownPart::nothing);
+std::vector<Vec3> optimised_directions(std::size_t n, Density density = Density::uniform);
 
 // The direction rotated about the up axis by an angle in turns (1 turn = 2 pi radians), from z towards x.
 Vec3 rotate_around_y(Vec3 direction, double turns);

@@ -16,13 +16,14 @@ struct ModelSettings {
     double smoothness = 1.5;  // of sobolev
     double length_scale = 1;  // of any other family
     double noise = 0.01;
-    std::optional<KnownPart> known_part = {};  // unless given, the density of the placement
+    std::optional<bool> knows_cosine = {};  // unless given, if the density of the placement is the cosine
     Placement placement = {};
     std::uint64_t seed = 1;
 
     double parameter() const { return covariance == CovarianceFamily::sobolev ? smoothness : length_scale; }
     std::shared_ptr<const Covariance> make_covariance() const {
-        return bmc::make_covariance(covariance, parameter(), known_part.value_or(placement.density));
+        return bmc::make_covariance(covariance, parameter(),
+                                    knows_cosine.value_or(placement.density == Density::cosine));
     }
 };
 }  // namespace bmc

@@ -2,16 +2,17 @@
 
 #include "base/formatted.h"
 
+#include <stdexcept>
+
 namespace bmc {
 std::string Placement::name() const {
-    const std::string of_uniform = name_of(set, point_set_names);
-    if (density == KnownPart::nothing) return of_uniform;
-    return set == PointSet::random ? "cosine" : "cosine-" + of_uniform;
+    if (set == PointSet::random) return name_of(density, density_names);
+    return (density == Density::cosine ? "cosine-" : "") + std::string(name_of(set, point_set_names));
 }
 
 std::vector<Placement> all_placements() {
     std::vector<Placement> all;
-    for (const KnownPart density : {KnownPart::nothing, KnownPart::cosine})
+    for (const Density density : {Density::uniform, Density::cosine})
         for (std::size_t i = 0; i < std::size(point_set_names); ++i) all.push_back({static_cast<PointSet>(i), density});
     return all;
 }
@@ -26,13 +27,13 @@ static Sampler rotated(const std::vector<Vec3>& fixed) {
 }
 
 Sampler sampler_of(Placement placement, std::size_t n) {
-    const KnownPart p = placement.density;
+    const Density density = placement.density;
     switch (placement.set) {
-        case PointSet::random: return [=](Random& random) { return random_directions(n, random, p); };
-        case PointSet::stratified: return [=](Random& random) { return stratified_directions(n, random, p); };
-        case PointSet::fibonacci: return rotated(fibonacci_directions(n, p));
-        case PointSet::optimised: break;
+        case PointSet::random: return [=](Random& random) { return random_directions(n, random, density); };
+        case PointSet::stratified: return [=](Random& random) { return stratified_directions(n, random, density); };
+        case PointSet::fibonacci: return rotated(fibonacci_directions(n, density));
+        case PointSet::optimised: return rotated(optimised_directions(n, density));
     }
-    return rotated(optimised_directions(n, p));
+    throw std::logic_error("sampler_of has no case for this set");
 }
 }  // namespace bmc

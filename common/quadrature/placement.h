@@ -1,5 +1,4 @@
-// How the directions of a rule are placed: as a set of points (hemisphere.h), of a density that is the known part
-// divided by its integral.
+// How the directions of a rule are placed: as a set of points, of a density (hemisphere.h).
 #pragma once
 
 #include "quadrature/hemisphere.h"
@@ -9,10 +8,10 @@
 
 namespace bmc {
 enum class PointSet { random, stratified, fibonacci, optimised };
-inline constexpr const char* point_set_names[] = {"uniform", "stratified", "fibonacci", "optimised"};
+inline constexpr const char* point_set_names[] = {"random", "stratified", "fibonacci", "optimised"};
 struct Placement {
     PointSet set = PointSet::random;
-    KnownPart density = KnownPart::nothing;
+    Density density = Density::uniform;
 
     // Whether all sets are one, but for a rotation: a lattice, or an optimised set.
     bool is_fixed() const { return set != PointSet::random && set != PointSet::stratified; }

@@ -10,7 +10,7 @@ namespace bmc {
 struct QuadratureRule {
     std::vector<Vec3> directions;
     std::vector<double> weights;
-    KnownPart known_part = KnownPart::nothing;
+    bool knows_cosine = false;
 
     std::size_t size() const { return weights.size(); }
 };
@@ -18,7 +18,7 @@ struct QuadratureRule {
 // Monte Carlo: the estimate of the integral of f p is the mean of f p / density, which is f times the integral of p. So
 // the weights are equal: 2 pi / n for p = 1, and pi / n for p = cos(theta) (importance sampling). On a lattice this is
 // quasi-Monte Carlo.
-QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, KnownPart p = KnownPart::nothing);
+QuadratureRule monte_carlo_rule(std::vector<Vec3> directions, Density density = Density::uniform);
 
 // Bayesian Monte Carlo: the weights of a GaussianProcess. Throws what GaussianProcess throws.
 QuadratureRule bayesian_rule(const Covariance& covariance, double noise, std::vector<Vec3> directions);

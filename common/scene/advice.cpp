@@ -39,7 +39,7 @@ void note_uneven_light(const EnvironmentMap& light, std::size_t samples) {
 
 // W_j. Not by cosine_rule, which students write: assignment 3.1 prints these numbers before that.
 static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
-    return rule.weights[j] * (rule.known_part == KnownPart::cosine ? 1 : rule.directions[j].y);
+    return rule.weights[j] * (rule.knows_cosine ? 1 : rule.directions[j].y);
 }
 
 double white_brightness(const QuadratureRule& rule) {

@@ -46,7 +46,7 @@ void rule(const QuadratureRule& of, const Frame* frame = nullptr) {
     for (std::size_t i = 0; i < of.directions.size(); ++i)
         vector(formatted(frame ? "to_world(directions[%zu])" : "directions[%zu]", i),
                frame ? frame->to_world(of.directions[i]) : of.directions[i]);
-    value("known_part", static_cast<double>(of.known_part));
+    value("knows_cosine", of.knows_cosine);
 }
 
 void statistics(const std::string& what, const Statistics& of) {
@@ -75,8 +75,8 @@ void each_model(Function f) {
     const char* const words[] = {"Sobolev 1.5", "squared exponential 0.4", "known part cosine", "placement cosine"};
     for (ErrorSettings& model : models) model.noise = 3.1, model.length_scale = 0.4, model.seed = seed;
     models[1].covariance = CovarianceFamily::squared_exponential;
-    models[2].known_part = KnownPart::cosine;
-    models[3].known_part = KnownPart::nothing, models[3].placement = {PointSet::random, KnownPart::cosine};
+    models[2].knows_cosine = true;
+    models[3].knows_cosine = false, models[3].placement = {PointSet::random, Density::cosine};
     for (const std::size_t n : sizes)
         for (std::size_t i = 0; i < std::size(models); ++i) {
             in = formatted("%s, noise 3.1, n = %zu: ", words[i], n);
@@ -101,7 +101,7 @@ void each_positive_matrix(Function f) {
 template <class Function>
 void each_picture(Method method, Function f) {
     for (const Placement placement :
-         {Placement{}, Placement{PointSet::random, KnownPart::cosine}, Placement{PointSet::stratified}}) {
+         {Placement{}, Placement{PointSet::random, Density::cosine}, Placement{PointSet::stratified}}) {
         RenderSettings settings;
         settings.noise = 3.1, settings.seed = seed, settings.samples = 9, settings.pool = 7;
         settings.method = method, settings.placement = placement;
@@ -170,18 +170,18 @@ std::map<std::string, std::function<void()>> all_checks() {
         });
     };
     check["monte_carlo_rule"] = [] {
-        for (const KnownPart p : {KnownPart::nothing, KnownPart::cosine})
+        for (const Density density : {Density::uniform, Density::cosine})
             for (const std::size_t n : sizes) {
-                in = formatted("n = %zu, p = %s: ", n, p == KnownPart::cosine ? "cos(theta)" : "1");
-                rule(monte_carlo_rule(directions_of(n), p));
+                in = formatted("n = %zu, p = %s: ", n, density == Density::cosine ? "cos(theta)" : "1");
+                rule(monte_carlo_rule(directions_of(n), density));
             }
     };
-    check["add_mc_errors"] = [] { error_rows_of(7, 0); };
-    check["add_bmc_errors"] = [] { error_rows_of(0, 5); };
+    check["add_mc_error"] = [] { error_rows_of(7, 0); };
+    check["add_bmc_error"] = [] { error_rows_of(0, 5); };
     check["cosine_rule"] = [] {
-        for (const KnownPart known_part : {KnownPart::nothing, KnownPart::cosine}) {
-            in = formatted("known part %s: ", known_part_names[static_cast<int>(known_part)]);
-            rule(cosine_rule({directions_of(9), numbers_of(9, 7), known_part}));
+        for (const bool knows_cosine : {false, true}) {
+            in = formatted("known part %s: ", knows_cosine ? "cosine" : "nothing");
+            rule(cosine_rule({directions_of(9), numbers_of(9, 7), knows_cosine}));
         }
     };
     check["reflected_radiance"] = [] {
@@ -192,7 +192,7 @@ std::map<std::string, std::function<void()>> all_checks() {
         for_each_hit(sphere_scene, {24, 24}, [&](int x, int y, const Hit& hit) {
             if ((x + y) % 5 != 0) return;
             const std::size_t n = x % 2 == 0 ? 9 : 40;
-            QuadratureRule of{directions_of(n), numbers_of(n, 7), KnownPart::cosine};
+            QuadratureRule of{directions_of(n), numbers_of(n, 7), true};
             of.weights[2] = -0.2;
             Frame frame(hit.normal);
             if (y % 2 == 0) frame.tangent = -1 * frame.tangent, frame.bitangent = -1 * frame.bitangent;  // half a turn

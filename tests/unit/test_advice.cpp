@@ -29,10 +29,10 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
 // With cos(theta), the weights are pi times 2, -1.6 and 0.5 if nothing is known.
 TEST_CASE("white brightness and noise gain are those of the weights in a picture") {
     const std::vector<Vec3> directions{{0, 1, 0}, {0.6, 0.8, 0}, {std::sqrt(0.75), 0.5, 0}};
-    const QuadratureRule rule{directions, {2 * pi, -2 * pi, pi}, KnownPart::nothing},
-        cosine{directions, {2 * pi, -1.6 * pi, 0.5 * pi}, KnownPart::cosine};
+    const QuadratureRule rule{directions, {2 * pi, -2 * pi, pi}, false},
+        cosine{directions, {2 * pi, -1.6 * pi, 0.5 * pi}, true};
     for (const QuadratureRule& each : {rule, cosine}) {
-        CAPTURE(each.known_part);
+        CAPTURE(each.knows_cosine);
         CHECK(relative(white_brightness(each), 0.9) < 1e-14);
         CHECK(relative(noise_gain(each), std::sqrt((4 + 2.56 + 0.25) * 9 / 4)) < 1e-14);
     }

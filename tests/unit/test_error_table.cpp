@@ -22,10 +22,10 @@ TEST_CASE("a line of the table has four digits, and nan for what has no meaning"
     check({}, "10 0.1735 0.05 nan nan nan nan nan");
     row.bmc.add(0.0867280);
     row.predicted.add(0.01);
-    check({PointSet::random, KnownPart::cosine}, "10 0.1735 0.05 0.08673 nan 0.01 2 40");
+    check({PointSet::random, Density::cosine}, "10 0.1735 0.05 0.08673 nan 0.01 2 40");
     check({PointSet::stratified}, "10 0.1735 0.05 0.08673 nan 0.01 2 nan");
     row.bmc.add(0.0867280 * (1 + 1e-14));  // which differ by rounding
-    check({PointSet::fibonacci, KnownPart::cosine}, "10 0.1735 0.05 0.08673 0 0.01 2 nan");
+    check({PointSet::fibonacci, Density::cosine}, "10 0.1735 0.05 0.08673 0 0.01 2 nan");
 }
 
 // With b = log 2 and x = 0, b, 2b the slope is (y2 - y0) / 2b. A relative error of 0.1 of each mean leaves it with the

@@ -20,7 +20,7 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
         CAPTURE(by_cosine);
         Random random(1, 0);
         double counts[8][8] = {}, chi_square = 0, lowest = 1, off_sphere = 0;
-        for (const Vec3& d : random_directions(64000, random, by_cosine ? KnownPart::cosine : KnownPart::nothing)) {
+        for (const Vec3& d : random_directions(64000, random, by_cosine ? Density::cosine : Density::uniform)) {
             lowest = std::min(lowest, d.y);
             off_sphere = std::max(off_sphere, std::fabs(length(d) - 1));
             const double height = by_cosine ? d.y * d.y : d.y, across = 0.5 + std::atan2(d.x, d.z) / (2 * pi);
@@ -40,7 +40,7 @@ TEST_CASE("random directions fill 8 x 8 cells of equal probability evenly") {
 TEST_CASE("stratified directions have a random point in each of n cells of equal area, which are rotated at random") {
     const std::vector<std::vector<double>> rows_of_cells{{1}, {2}, {7}, {13, 13, 14}, {19, 19, 20, 19, 20}};
     for (const std::vector<double>& rows : rows_of_cells)
-        for (const KnownPart density : {KnownPart::nothing, KnownPart::cosine}) {
+        for (const Density density : {Density::uniform, Density::cosine}) {
             const double n = std::accumulate(rows.begin(), rows.end(), 0.0);
             Random random(1, 0);
             Statistics within[2];
@@ -50,7 +50,7 @@ TEST_CASE("stratified directions have a random point in each of n cells of equal
                 for (const Vec3& d : stratified_directions(cells.size(), random, density)) {
                     double below = 0;
                     auto row = rows.begin();
-                    const double height = n * (density == KnownPart::cosine ? d.y * d.y : d.y);
+                    const double height = n * (density == Density::cosine ? d.y * d.y : d.y);
                     while (row + 1 != rows.end() && height > below + *row) below += *row++;
                     const double azimuth = 1 + std::atan2(d.x, d.z) / (2 * pi) - turns;
                     const double across = *row * (azimuth - std::floor(azimuth));
@@ -66,7 +66,7 @@ TEST_CASE("stratified directions have a random point in each of n cells of equal
 
 // V of equal weights.
 static double variance_of_equal_weights(const Covariance& covariance, const std::vector<Vec3>& directions) {
-    const double w = known_integral(covariance.known_part()) / static_cast<double>(directions.size());
+    const double w = known_integral(covariance.knows_cosine()) / static_cast<double>(directions.size());
     double v = covariance.zz();
     for (const double z : z_of(covariance, directions)) v -= 2 * w * z;
     for (const Vec3& a : directions)
@@ -77,24 +77,24 @@ static double variance_of_equal_weights(const Covariance& covariance, const std:
 TEST_CASE(
     "equal weights have a smaller worst-case error on optimised directions than on a lattice, the same each time") {
     for (const auto& [n, most] : {std::pair(std::size_t{1}, 1.01), {2, 0.93}, {7, 0.92}, {40, 0.96}, {97, 0.975}})
-        for (const KnownPart p : {KnownPart::nothing, KnownPart::cosine}) {
-            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, p);
-            const std::vector<Vec3> directions = optimised_directions(n, p);
+        for (const Density density : {Density::uniform, Density::cosine}) {
+            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, density == Density::cosine);
+            const std::vector<Vec3> directions = optimised_directions(n, density);
             const double v = variance_of_equal_weights(*covariance, directions);
             CAPTURE(directions.size());
-            CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, p))) < most);
+            CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, density))) < most);
             CHECK(directions.size() == n);
             for (const Vec3& d : directions) CHECK_MESSAGE((d.y > 0 && std::fabs(length(d) - 1) < few_roundings), d);
-            CHECK(optimised_directions(n, p) == directions);
+            CHECK(optimised_directions(n, density) == directions);
         }
 }
 
 // All rotations together are a set of many directions, of which 64 rotations have about the same V.
 TEST_CASE("all rotations of optimised directions together have less than a hundredth of V") {
     for (const std::size_t n : {5u, 10u, 40u})
-        for (const KnownPart p : {KnownPart::nothing, KnownPart::cosine}) {
-            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, p);
-            const std::vector<Vec3> directions = optimised_directions(n, p);
+        for (const Density density : {Density::uniform, Density::cosine}) {
+            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, density == Density::cosine);
+            const std::vector<Vec3> directions = optimised_directions(n, density);
             std::vector<Vec3> rotations;
             for (int i = 0; i < 64; ++i)
                 for (const Vec3& d : directions) rotations.push_back(rotate_around_y(d, i / 64.0));

@@ -85,7 +85,7 @@ TEST_CASE("a fraction is visible over all light, from 0 to 1, and 1 where there 
 
 // Of three rays the sphere often stops all: under an even light in 2 % of the pixels.
 TEST_CASE("no point is black under a light that comes from everywhere") {
-    const RenderSettings settings = small_picture(Method::mc, 3, 100, {PointSet::optimised, KnownPart::cosine});
+    const RenderSettings settings = small_picture(Method::mc, 3, 100, {PointSet::optimised, Density::cosine});
     const Shader shader = known_light_shader(even_map(2, 2, 1), settings);
     double least = infinity;
     for_each_hit(sphere_scene, {100, 100},
@@ -108,8 +108,7 @@ TEST_CASE(
     "a known light has six tenths of the error of an unknown one, for any number of samples, and under a sun less") {
     for (const std::size_t samples : {1u, 2u, 5u, 40u}) {
         CAPTURE(samples);
-        const RenderSettings settings =
-            small_picture(Method::mc, samples, 24, {PointSet::optimised, KnownPart::cosine});
+        const RenderSettings settings = small_picture(Method::mc, samples, 24, {PointSet::optimised, Density::cosine});
         for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
             const Image truth = truth_of(map, settings);
             const double known = image_error(render(map, settings, known_light_shader(map, settings)), truth).rmse;
@@ -128,7 +127,7 @@ TEST_CASE("of two known parts the last one counts") {
     parse({"--known=light"}, arguments);
     CHECK(light_known);
     parse({"--known=light", "--known=cosine"}, arguments);
-    CHECK(settings.known_part == KnownPart::cosine);
+    CHECK(*settings.knows_cosine);
     CHECK(!light_known);
 }
 

@@ -19,13 +19,13 @@ TEST_CASE("the options of a model set its members, in the ranges of a process") 
         CHECK_THROWS_AS_MESSAGE(model_of({word}), std::invalid_argument, word);
 }
 
-TEST_CASE("the known part is the density of the placement, unless it is given, before or after") {
-    const auto known_part_of = [](const std::vector<std::string>& words) {
-        return model_of(words).make_covariance()->known_part();
+TEST_CASE("the cosine is known if the density of the placement is the cosine, unless it is given, before or after") {
+    const auto knows_cosine = [](const std::vector<std::string>& words) {
+        return model_of(words).make_covariance()->knows_cosine();
     };
-    CHECK(known_part_of({}) == KnownPart::nothing);
-    CHECK(known_part_of({"--placement=cosine-stratified"}) == KnownPart::cosine);
-    CHECK(known_part_of({"--placement=cosine", "--known=nothing"}) == KnownPart::nothing);
-    CHECK(known_part_of({"--known=nothing", "--placement=cosine-fibonacci"}) == KnownPart::nothing);
-    CHECK(known_part_of({"--known=cosine", "--placement=fibonacci"}) == KnownPart::cosine);
+    CHECK(!knows_cosine({}));
+    CHECK(knows_cosine({"--placement=cosine-stratified"}));
+    CHECK(!knows_cosine({"--placement=cosine", "--known=nothing"}));
+    CHECK(!knows_cosine({"--known=nothing", "--placement=cosine-fibonacci"}));
+    CHECK(knows_cosine({"--known=cosine", "--placement=fibonacci"}));
 }

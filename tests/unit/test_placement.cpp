@@ -7,14 +7,15 @@ TEST_CASE("a placement is a set of a density; a fixed set is the same each time 
     for (const Placement placement : all_placements()) {
         names += placement.name() + ' ';
         CAPTURE(names);
-        const KnownPart p = placement.density;
+        const Density density = placement.density;
         Random random(1, 0), same(1, 0);
         const Sampler sampler = sampler_of(placement, 7);
         for (int draw = 0; draw < 2; ++draw) {
-            std::vector<Vec3> expected = placement.set == PointSet::fibonacci    ? fibonacci_directions(7, p)
-                                         : placement.set == PointSet::optimised  ? optimised_directions(7, p)
-                                         : placement.set == PointSet::stratified ? stratified_directions(7, same, p)
-                                                                                 : random_directions(7, same, p);
+            std::vector<Vec3> expected = placement.set == PointSet::fibonacci   ? fibonacci_directions(7, density)
+                                         : placement.set == PointSet::optimised ? optimised_directions(7, density)
+                                         : placement.set == PointSet::stratified
+                                             ? stratified_directions(7, same, density)
+                                             : random_directions(7, same, density);
             const double turns = placement.is_fixed() ? same.uniform() : 0;
             for (Vec3& direction : expected) direction = rotate_around_y(direction, turns);
             CHECK(sampler(random) == expected);
