@@ -10,9 +10,9 @@
 
 namespace bmc {
 // The text that printf would print. The attribute lets compilers compare the arguments with the format.
-#ifdef __MINGW32__
+#if defined(__MINGW32__)
 __attribute__((format(gnu_printf, 1, 2)))
-#else
+#elif defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
 inline std::string

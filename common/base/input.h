@@ -1,9 +1,6 @@
 // Input from a file, or from standard input.
 #pragma once
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -19,9 +16,6 @@ auto read_file(const std::string& name, Read read, const std::string& hint = "")
     std::ios::sync_with_stdio(false);  // so that std::cin, like a file, throws if it cannot be read
     std::ifstream file(name, std::ios::binary);
     const int reason = errno;
-#ifdef _WIN32
-    if (name == "-") _setmode(STDIN_FILENO, _O_BINARY);
-#endif
     std::string problem = "it cannot be read to its end";
     try {
         if (name != "-" && !file) throw std::runtime_error(std::strerror(reason) + hint);

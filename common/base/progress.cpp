@@ -1,13 +1,12 @@
 #include "base/progress.h"
 
-#include <unistd.h>
+#include "base/terminal.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <future>
 #include <mutex>
 #include <system_error>
@@ -47,15 +46,6 @@ static void clear_line() {
 
 static double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-static bool is_in_foreground() {
-#ifdef _WIN32
-    return isatty(STDERR_FILENO);
-#else
-    const char* const kind = std::getenv("TERM");
-    return tcgetpgrp(STDERR_FILENO) == getpgrp() && !(kind && std::string_view(kind) == "dumb");  // has no way back
-#endif
 }
 
 Progress::Progress(const std::string& phase, std::size_t parts) : phase_(phase), parts_(parts), start_(seconds()) {}

@@ -1,10 +1,7 @@
 #include "command_line/command_line.h"
 
 #include "base/progress.h"
-
-#include <fcntl.h>
-#include <getopt.h>
-#include <unistd.h>
+#include "base/terminal.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -13,11 +10,6 @@
 
 namespace bmc {
 static void write_all(const std::string& output) {
-#ifdef _WIN32
-    _setmode(STDOUT_FILENO, _O_BINARY);  // the bytes as they are
-#else
-    fcntl(STDOUT_FILENO, F_SETFL, fcntl(STDOUT_FILENO, F_GETFL) & ~O_NONBLOCK);  // who reads slowly loses nothing
-#endif
     const bool written = std::fwrite(output.data(), 1, output.size(), stdout) == output.size();
     if (!written || std::fclose(stdout) != 0)  // fclose writes what is buffered
         throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
@@ -86,44 +78,33 @@ void add_sample_list(Arguments& arguments, std::vector<std::size_t>& samples) {
          }});
 }
 
-// found: what getopt_long returned. value: what stands after '=', or else the next word.
-static void apply(const Option& option, int found, const std::string& value, bool is_next_word) {
-    const std::string name = "--" + option.name;
-    if (found == '?') throw std::invalid_argument(name + " takes no value");
-    const bool is_option = is_next_word && value.compare(0, 2, "--") == 0;
-    if (!option.argument.empty() && (found == ':' || value.empty() || is_option))
-        throw std::invalid_argument(name + " needs a value; --help shows which");
-    try {
-        option.set(value);
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(name + ' ' + option.argument + ": " + error.what());
-    }
-}
-
 std::vector<std::string> Arguments::read() {
-    constexpr int first = 256;  // above all letters
-    std::vector<::option> table;
-    for (const Option& option : options)
-        table.push_back({option.name.c_str(), option.argument.empty() ? no_argument : required_argument, nullptr,
-                         first + static_cast<int>(table.size())});
-    table.push_back({nullptr, 0, nullptr, 0});
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    const int argc = static_cast<int>(words.size());
-    opterr = 0;
-    for (int found; (found = getopt_long(argc, argv.data(), ":", table.data(), nullptr)) != -1;) {
-        const char* const word = argv[static_cast<std::size_t>(optind - 1)];
-        if (found == '?' && optopt < first) {  // a letter, or 0
-            const std::string typed = optopt ? std::string{'-', static_cast<char>(optopt)} : word;
-            throw std::invalid_argument("there is no option " + typed.substr(0, typed.find('=')) +
-                                        ", or more than one that begins so; --help lists them all");
+    std::vector<std::string> others;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (word[0] != '-') {
+            others.push_back(word);
+            continue;
         }
-        const Option& chosen = options[static_cast<std::size_t>((found < first ? optopt : found) - first)];
-        apply(chosen, found, optarg ? optarg : "", optarg == word);
-        given.push_back(chosen.name);
+        const std::string name = word.substr(0, word.find('='));
+        const auto option =
+            std::find_if(options.begin(), options.end(), [&](const Option& each) { return "--" + each.name == name; });
+        if (option == options.end())
+            throw std::invalid_argument("there is no option " + name + "; --help lists them all");
+        const bool takes_value = !option->argument.empty(), has_value = name.size() < word.size();
+        if (has_value && !takes_value) throw std::invalid_argument(name + " takes no value");
+        std::string value = has_value ? word.substr(name.size() + 1) : "";
+        const bool is_next = takes_value && !has_value && i + 1 < words.size() && words[i + 1].compare(0, 2, "--") != 0;
+        if (is_next) value = words[++i];
+        if (takes_value && value.empty()) throw std::invalid_argument(name + " needs a value; --help shows which");
+        try {
+            option->set(value);
+        } catch (const std::invalid_argument& error) {
+            throw std::invalid_argument(name + ' ' + option->argument + ": " + error.what());
+        }
+        given.push_back(option->name);
     }
-    return {argv.begin() + optind, argv.end() - 1};
+    return others;
 }
 
 std::string Arguments::describe() const {
@@ -148,7 +129,7 @@ void Arguments::take(const std::string& file) {
     if (!others.empty())
         throw std::invalid_argument("unexpected argument '" + others[0] +
                                     "'; a command stands before all options; try --help");
-    if (!file.empty() && isatty(STDOUT_FILENO))
+    if (!file.empty() && output_is_terminal())
         throw std::invalid_argument("the picture would go to the terminal; add > " + file);
     for (const Option& option : options)
         for (const auto& [with, holds] : option.idle)
@@ -174,6 +155,7 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 
 int run_program(const char* name, const std::function<std::string()>& body) {
     program_name = name;
+    keep_all_bytes();
     const auto output = [&] {
         try {
             return body();

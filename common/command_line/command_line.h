@@ -1,4 +1,4 @@
-// What the programs share: options by getopt_long, exit statuses and standard output. A mistake of the caller throws
+// What the programs share: options, exit statuses and standard output. A mistake of the caller throws
 // std::invalid_argument, which says what was given and what is allowed.
 #pragma once
 
@@ -61,8 +61,8 @@ struct Arguments {
     // The options of these names change nothing "with --method mc", where that holds.
     void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds);
 
-    // Applies the options in the words, and sets `given` to their names. Returns the words that no option takes. Throws
-    // std::invalid_argument that names the option.
+    // Applies the options in the words, "--name value", "--name=value" or "--name", and sets `given` to their names.
+    // Returns the words that no option takes. Throws std::invalid_argument that names the option.
     std::vector<std::string> read();
     std::vector<std::string> given = {};
 

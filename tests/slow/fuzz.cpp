@@ -3,8 +3,6 @@
 #include "experiments/samples.h"
 #include "light/environment.h"
 
-#include <getopt.h>
-
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
@@ -29,7 +27,6 @@ void check(const std::string& bytes, Read read) {
 bool reads_options(std::istream& in) {
     std::vector<std::string> words{"program"};
     for (std::string word; in >> word;) words.emplace_back(word.c_str());  // as far as argv has it
-    optind = 0;                                                            // a fresh scan
     Arguments arguments{std::move(words), ""};
     std::vector<std::size_t> samples{1};
     ModelSettings settings;

@@ -20,8 +20,7 @@ std::string stderr_of(const std::function<void()>& f) {
 }
 
 int main(int argc, char** argv) {
-    unsetenv("POSIXLY_CORRECT");  // getopt would stop at the first word that is no option
-    static bool ended = false;    // a case that ends the program is no success
+    static bool ended = false;  // a case that ends the program is no success
     std::atexit([] { ended ? void() : std::_Exit(1); });
     const int status = doctest::Context(argc, argv).run();
     ended = true;

@@ -9,7 +9,6 @@
 #include "scene/render.h"
 
 #include <doctest/doctest.h>
-#include <getopt.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -104,7 +103,6 @@ void check_failing_reads(const std::string& bytes, Read read) {
 // Lets the options take what stands in these words behind a command, and returns what they leave.
 inline std::vector<std::string> parse(std::vector<std::string> words, Arguments& arguments) {
     words.insert(words.begin(), "command");
-    optind = 0;  // a fresh scan
     arguments.words = std::move(words);
     return arguments.read();
 }
@@ -112,7 +110,6 @@ inline std::vector<std::string> parse(std::vector<std::string> words, Arguments&
 // What a command prints for these words.
 inline std::string output_of(std::string (*report)(Arguments&), std::vector<std::string> words) {
     words.insert(words.begin(), "command");
-    optind = 0;
     Arguments arguments{std::move(words), ""};
     return report(arguments);
 }

@@ -18,7 +18,7 @@ struct Values {
 
 TEST_CASE("options take values in both spellings and leave the rest") {
     Values values;
-    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--wh", "4096"}, values.options) ==
+    CHECK(parse({"--text", "3", "rest", "--flag", "--real=-0.5", "--whole", "4096"}, values.options) ==
           std::vector<std::string>{"rest"});
     CHECK(values.text == "3");
     CHECK(values.real == -0.5);
@@ -35,7 +35,7 @@ TEST_CASE("a mistake in an option is a message that names it") {
         return message_of([&] { parse(words, options); });
     };
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {"--text"}, {"--tex"}, {"--text="}, {"--text", ""}, {"--text", "--flag"}, {"--text", "--"}})
+             {"--text"}, {"--text="}, {"--text", ""}, {"--text", "--flag"}, {"--text", "--"}})
         CHECK(mistake(words) == "--text needs a value; --help shows which");
     parse({"--text", "-"}, options);
     CHECK(values.text == "-");
@@ -43,6 +43,7 @@ TEST_CASE("a mistake in an option is a message that names it") {
     CHECK(values.text == "--flag");
     CHECK(mistake({"--whole", "0"}) == "--whole N: '0' is not a whole number from 1 to 4096");
     CHECK(mistake({"--flag=1"}) == "--flag takes no value");
+    CHECK(mistake({"--tex", "3"}) == "there is no option --tex; --help lists them all");
 }
 
 TEST_CASE("numbers are read entirely or not at all") {
