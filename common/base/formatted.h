@@ -9,10 +9,8 @@
 #include <vector>
 
 namespace bmc {
-// The text that printf would print. The attribute lets compilers compare the arguments with the format.
-#if defined(__MINGW32__)
-__attribute__((format(gnu_printf, 1, 2)))
-#elif defined(__GNUC__)
+// The text that printf would print. The attribute lets a compiler compare the arguments with the format.
+#if defined(__GNUC__) && !defined(__MINGW32__)
 __attribute__((format(printf, 1, 2)))
 #endif
 inline std::string

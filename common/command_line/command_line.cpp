@@ -91,11 +91,10 @@ std::vector<std::string> Arguments::read() {
             std::find_if(options.begin(), options.end(), [&](const Option& each) { return "--" + each.name == name; });
         if (option == options.end())
             throw std::invalid_argument("there is no option " + name + "; --help lists them all");
-        const bool takes_value = !option->argument.empty(), has_value = name.size() < word.size();
-        if (has_value && !takes_value) throw std::invalid_argument(name + " takes no value");
-        std::string value = has_value ? word.substr(name.size() + 1) : "";
-        const bool is_next = takes_value && !has_value && i + 1 < words.size() && words[i + 1].compare(0, 2, "--") != 0;
-        if (is_next) value = words[++i];
+        const bool takes_value = !option->argument.empty(), joined = name.size() < word.size();
+        if (joined && !takes_value) throw std::invalid_argument(name + " takes no value");
+        std::string value = joined ? word.substr(name.size() + 1) : "";
+        if (takes_value && !joined && i + 1 < words.size() && words[i + 1].compare(0, 2, "--") != 0) value = words[++i];
         if (takes_value && value.empty()) throw std::invalid_argument(name + " needs a value; --help shows which");
         try {
             option->set(value);
@@ -156,15 +155,14 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
 int run_program(const char* name, const std::function<std::string()>& body) {
     program_name = name;
     keep_all_bytes();
-    const auto output = [&] {
-        try {
-            return body();
-        } catch (const Help& help) {
-            return help.text;
-        }
-    };
     try {
-        write_all(output());
+        std::string output;
+        try {
+            output = body();
+        } catch (const Help& help) {
+            output = help.text;
+        }
+        write_all(output);
         return 0;
     } catch (const std::invalid_argument& error) {
         print_note(error.what());

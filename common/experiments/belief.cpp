@@ -100,6 +100,8 @@ static void print_estimate(const GaussianProcess& process, const std::vector<dou
                              100 * size.value() / all));
 }
 
+// Four discs side by side show the light and the samples, the posterior mean, the posterior standard deviation, and the
+// error of the mean.
 std::string belief_discs(Arguments& arguments) {
     std::size_t samples = 40;
     std::string environment = built_in_lights[0];

@@ -49,20 +49,20 @@ std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
     Progress progress(formatted("estimates from %zu samples", samples), std::max(mc_estimates, bmc_estimates));
     for (std::size_t e = 0; e < std::max(mc_estimates, bmc_estimates); ++e) {
-        const std::vector<Vec3> directions = directions_of(e);
+        const std::vector<Vec3> directions = directions_of(e);  // of both methods
+        const auto values_of = [&](std::size_t i, bool knows_cosine) {
+            return unknown_part(integrands[i].value, directions, knows_cosine);
+        };
         if (e < mc_estimates) {
             const QuadratureRule rule = monte_carlo_rule(directions, settings.placement.density);
             for (std::size_t i = 0; i < rows.size(); ++i)
-                add_mc_error(rows[i], rule.weights, unknown_part(integrands[i].value, directions, rule.knows_cosine),
-                             integrands[i].truth);
+                add_mc_error(rows[i], rule.weights, values_of(i, rule.knows_cosine), integrands[i].truth);
         }
         if (e < bmc_estimates) {
             try {
                 const GaussianProcess process(*covariance, settings.noise, directions);
                 for (std::size_t i = 0; i < rows.size(); ++i)
-                    add_bmc_error(rows[i], process,
-                                  unknown_part(integrands[i].value, directions, covariance->knows_cosine()),
-                                  integrands[i].truth);
+                    add_bmc_error(rows[i], process, values_of(i, covariance->knows_cosine()), integrands[i].truth);
             } catch (const NotPositiveDefinite& error) {
                 print_note(formatted("warning: no Gaussian process with %zu samples: ", samples) + error.what());
                 for (ErrorRow& row : rows) row.bmc = row.predicted = {};
@@ -108,7 +108,7 @@ std::string error_tables(Arguments& arguments) {
     ErrorSettings settings;
     std::size_t chosen = 0;
     std::vector<std::string> names{"all"};
-    for (const NamedIntegrand& named : named_integrands()) names.push_back(named.name);
+    names.insert(names.end(), std::begin(integrand_names), std::end(integrand_names));
     arguments.add(choice("integrand", names, 0, "", [&](std::size_t i) { chosen = i; }));
     add_sample_list(arguments, settings.sample_counts);
     arguments.add("mc-estimates", "M", "MC estimates averaged in each row", settings.mc_estimates, 1, 100000);
@@ -116,8 +116,8 @@ std::string error_tables(Arguments& arguments) {
     add_model_options(arguments, settings);
     arguments.take();
     std::vector<Integrand> integrands;
-    for (const NamedIntegrand& named : named_integrands())
-        if (chosen == 0 || names[chosen] == named.name) integrands.push_back(named.make());
+    for (const char* const name : integrand_names)
+        if (chosen == 0 || names[chosen] == name) integrands.push_back(integrand_named(name));
     std::vector<std::vector<ErrorRow>> tables(integrands.size());
     std::string text;
     for (const std::size_t n : settings.sample_counts) {

@@ -5,22 +5,11 @@
 #include <numeric>
 
 namespace bmc {
-static Integrand cosine() {
-    return {"cos(theta)", [](Vec3 omega) { return omega.y; }, portable::pi};
-}
-static Integrand cosine_cubed() {
-    return {"cos(theta)^3", [](Vec3 omega) { return omega.y * omega.y * omega.y; }, portable::pi / 2};
-}
-static Integrand built_in_light() {
-    return environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()));
-}
-static Integrand constant() {
+Integrand integrand_named(std::string_view name) {
+    if (name == "cosine") return {"cos(theta)", [](Vec3 w) { return w.y; }, portable::pi};
+    if (name == "cosine-cubed") return {"cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, portable::pi / 2};
+    if (name == "environment") return environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()));
     return {"1", [](Vec3) { return 1.0; }, 2 * portable::pi};
-}
-
-std::vector<NamedIntegrand> named_integrands() {
-    return {
-        {"cosine", cosine}, {"cosine-cubed", cosine_cubed}, {"environment", built_in_light}, {"constant", constant}};
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {

@@ -47,7 +47,7 @@ CostSettings taken_costs(Arguments& arguments) {
     return s;
 }
 
-std::string picture_report(const CostSettings& costs, const PictureTable& table) {
+std::string picture_report(const CostSettings& costs, PictureTable table) {
     const auto names = costs.environment.empty() ? light_names() : std::vector{costs.environment};
     std::string text;
     for (const std::string& name : names)

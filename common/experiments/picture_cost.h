@@ -59,6 +59,6 @@ std::string picture_table(const std::vector<PictureCost>& rows, bool timed);
 std::string measured_table(const CostSettings& costs, const std::vector<PictureCost>& compared, const Image& truth);
 
 // The tables of the light, or of each of the built-in ones, each by its name.
-using PictureTable = std::string(const CostSettings& costs, const std::string& name, const EnvironmentMap& light);
-std::string picture_report(const CostSettings& costs, const PictureTable& table);
+using PictureTable = std::string (*)(const CostSettings& costs, const std::string& name, const EnvironmentMap& light);
+std::string picture_report(const CostSettings& costs, PictureTable table);
 }  // namespace bmc

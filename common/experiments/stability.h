@@ -3,12 +3,11 @@
 
 #include "base/vec3.h"
 
+#include <string_view>
 #include <vector>
 
 namespace bmc {
-// n directions: random and uniform; half as many, each of them twice; all on the horizon; all at the pole; all within
-// 1e-8 of one direction.
-enum class SampleSet { random, duplicates, equator, pole, cluster };
-inline constexpr const char* sample_set_names[] = {"random", "duplicates", "equator", "pole", "cluster"};
-std::vector<Vec3> sample_set(SampleSet set, std::size_t n);
+// n directions. random: uniform; duplicates: half as many, each of them twice; equator: all on the horizon; pole: all
+// at the pole; cluster: all within 1e-8 of one direction.
+std::vector<Vec3> sample_set(std::string_view name, std::size_t n);
 }  // namespace bmc

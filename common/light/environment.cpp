@@ -1,5 +1,6 @@
 #include "light/environment.h"
 
+#include "base/formatted.h"
 #include "base/input.h"
 
 #include <algorithm>

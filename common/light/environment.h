@@ -4,10 +4,11 @@
 // (So it meets the last column or row only if u or v is 1. This is the convention of the practice's base code.)
 #pragma once
 
-#include "base/formatted.h"
 #include "base/vec3.h"
 
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 namespace bmc {
 class EnvironmentMap {

@@ -57,7 +57,7 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 }
 // END SOLUTION
 
-// The members are made in the order of the header, each from those before it.
+// C++ makes members in the order of the header, so that each can be made from those before it.
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions)
     : directions(checked(std::move(unit_directions), noise)),
       z(z_of(covariance, directions)),

@@ -3,6 +3,7 @@
 #include "base/formatted.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace bmc {
 // Byte k begins where the transfer function is (k - 1/2) / 255. The function is nowhere steeper than 12.92, so a step
@@ -64,8 +65,8 @@ std::string encode(const Image& image, Format format) {
     switch (format) {
         case Format::pfm: return to_pfm(image);
         case Format::bmp: return to_bmp(image);
-        case Format::ppm: break;
+        case Format::ppm: return formatted("P6\n%d %d\n255\n", image.width, image.height) + srgb_codes(image);
     }
-    return formatted("P6\n%d %d\n255\n", image.width, image.height) + srgb_codes(image);
+    throw std::logic_error("encode has no case for this format");
 }
 }  // namespace bmc

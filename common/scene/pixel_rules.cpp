@@ -1,5 +1,7 @@
 #include "scene/pixel_rules.h"
 
+#include <stdexcept>
+
 namespace bmc {
 PixelRules::PixelRules(const RenderSettings& picture_settings)
     : settings(picture_settings),
@@ -56,12 +58,14 @@ OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
             return {frame.rotated(random.uniform()), shared[0]};
             // END SOLUTION
         }
-        case Method::pool: break;
+        case Method::pool: {
+            // BEGIN SOLUTION rule_for
+            const double u = random.uniform();  // chooses the rule; a second number rotates it
+            const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared.size()));
+            return {frame.rotated(random.uniform()), shared[chosen]};
+            // END SOLUTION
+        }
     }
-    // BEGIN SOLUTION rule_for
-    const double u = random.uniform();  // chooses the rule; a second number rotates it
-    const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared.size()));
-    return {frame.rotated(random.uniform()), shared[chosen]};
-    // END SOLUTION
+    throw std::logic_error("rule_for has no case for this method");
 }
 }  // namespace bmc

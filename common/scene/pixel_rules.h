@@ -12,7 +12,7 @@ enum class Method {
     direct,   // a fresh Gaussian process on fresh directions for every pixel
     single,   // one Gaussian process for the whole image
     rotated,  // the same, its directions rotated at random about the normal in every pixel
-    pool      // one of several (of a fixed set: one): a first random number chooses it, a second one rotates it
+    pool      // one of several, which a random number chooses, rotated by a second one (a fixed set needs but one)
 };
 inline constexpr const char* method_names[] = {"mc", "direct", "single", "rotated", "pool"};
 

@@ -2,6 +2,7 @@
 // number that it gives: words for the input and the number, and the number. build/compare compares these lines with
 // those of the solution. For that the inputs are well conditioned: with noise of 3.1 any right program agrees in seven
 // digits, and one that computes with floats does not.
+#include "base/formatted.h"
 #include "experiments/error_table.h"
 #include "quadrature/gaussian_process.h"
 #include "scene/render.h"

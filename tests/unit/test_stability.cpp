@@ -16,9 +16,8 @@ TEST_CASE("the digits that stability calls right are right, held against weights
     for (std::size_t row = 0; row < claims.size(); ++row) {
         const std::vector<std::string>& claim = claims[row];
         REQUIRE(std::equal(claim.begin(), claim.begin() + 4, exact[row].begin()));
-        const auto set = std::find(std::begin(sample_set_names), std::end(sample_set_names), claim[0]);
         const std::size_t n = std::stoul(claim[1]);
-        const auto directions = sample_set(static_cast<SampleSet>(set - sample_set_names), n);
+        const auto directions = sample_set(claim[0], n);
         const auto covariance =
             make_covariance(claim[2] == "sobolev" ? CovarianceFamily::sobolev : CovarianceFamily::squared_exponential,
                             std::stod(claim[3]));

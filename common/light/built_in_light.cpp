@@ -1,6 +1,8 @@
 #include "base/progress.h"
 #include "light/environment.h"
 
+#include <stdexcept>
+
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
 
@@ -102,9 +104,9 @@ static inline Colour light_colour(BuiltInLight light, Colour colour, Vec3 d) {
         case BuiltInLight::desert: return desert_colour(colour, d);
         case BuiltInLight::bright_desert:
             return (1 + 999 * sun_disc(0.5 + 0.5 * dot(d, sun))) * desert_colour(colour, d);
-        case BuiltInLight::black_and_white: break;
+        case BuiltInLight::black_and_white: return d.x > 0 ? Colour{1, 1, 1} : Colour{};
     }
-    return d.x > 0 ? Colour{1, 1, 1} : Colour{};
+    throw std::logic_error("light_colour has no case for this light");
 }
 
 // The map of a light at the centres of texels.
