@@ -4,8 +4,6 @@
 #include "experiments/reports.h"
 #include "quadrature/gaussian_process.h"
 
-#include <numeric>
-
 namespace bmc {
 // An error that is only rounding is 0, so that programs that multiply in another order agree.
 static double absolute_error(double estimate, double truth) {
@@ -13,21 +11,38 @@ static double absolute_error(double estimate, double truth) {
     return error < 1e-12 * std::fabs(truth) ? 0 : error;
 }
 
-// Adds the error of an estimate by Monte Carlo, the sum of weights times values.
+// The fresh directions of estimate e.
+using DirectionsOf = std::function<std::vector<Vec3>(std::size_t e)>;
+
+// Adds to rows[i] the errors of settings.mc_estimates estimates of integrands[i] by Monte Carlo. Estimate e is by the
+// monte_carlo_rule of directions_of(e) for the density of the placement; make it once for all integrands.
 // BEGIN SOLUTION table
-static void add_mc_error(ErrorRow& row, const std::vector<double>& weights, const std::vector<double>& values,
-                         double truth) {
-    row.mc.add(absolute_error(std::inner_product(values.begin(), values.end(), weights.begin(), 0.0), truth));
+static void add_mc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
+                          const ErrorSettings& settings, const DirectionsOf& directions_of) {
+    for (std::size_t e = 0; e < settings.mc_estimates; ++e) {
+        const QuadratureRule rule = monte_carlo_rule(directions_of(e), settings.placement.density);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i].mc.add(absolute_error(estimate(rule, integrands[i].value), integrands[i].truth));
+    }
 }
 // END SOLUTION
 
-// The same by a process, and the absolute error that it predicts: a normal error of the standard deviation s, here the
-// error bar of the estimate, has the mean absolute value sqrt(2 / pi) s.
+// The same for settings.bmc_estimates Gaussian processes, which take the unknown_part of the values, and the absolute
+// errors that they predict: a normal error of the standard deviation s, here the error bar of an estimate, has the mean
+// absolute value sqrt(2 / pi) s.
 // BEGIN SOLUTION table
-static void add_bmc_error(ErrorRow& row, const GaussianProcess& process, const std::vector<double>& values,
-                          double truth) {
-    row.bmc.add(absolute_error(process.integral(values), truth));
-    row.predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
+static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integrand>& integrands,
+                           const ErrorSettings& settings, const DirectionsOf& directions_of) {
+    const std::shared_ptr<const Covariance> covariance = settings.make_covariance();
+    for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
+        const GaussianProcess process(*covariance, settings.noise, directions_of(e));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::vector<double> values =
+                unknown_part(integrands[i].value, process.directions, covariance->knows_cosine());
+            rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
+            rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
+        }
+    }
 }
 // END SOLUTION
 
@@ -43,33 +58,18 @@ static std::string mean_cells(const Statistics& errors, int width) {
 
 std::vector<ErrorRow> error_rows(const std::vector<Integrand>& integrands, std::size_t samples,
                                  const ErrorSettings& settings) {
-    const auto covariance = settings.make_covariance();
-    const auto directions_of = directions_of_estimates(settings, samples);
-    std::size_t mc_estimates = settings.mc_estimates, bmc_estimates = settings.bmc_estimates;
+    Progress progress(formatted("estimates from %zu samples", samples), settings.mc_estimates + settings.bmc_estimates);
     std::vector<ErrorRow> rows(integrands.size(), ErrorRow{samples});
-    Progress progress(formatted("estimates from %zu samples", samples), std::max(mc_estimates, bmc_estimates));
-    for (std::size_t e = 0; e < std::max(mc_estimates, bmc_estimates); ++e) {
-        const std::vector<Vec3> directions = directions_of(e);  // of both methods
-        const auto values_of = [&](std::size_t i, bool knows_cosine) {
-            return unknown_part(integrands[i].value, directions, knows_cosine);
-        };
-        if (e < mc_estimates) {
-            const QuadratureRule rule = monte_carlo_rule(directions, settings.placement.density);
-            for (std::size_t i = 0; i < rows.size(); ++i)
-                add_mc_error(rows[i], rule.weights, values_of(i, rule.knows_cosine), integrands[i].truth);
-        }
-        if (e < bmc_estimates) {
-            try {
-                const GaussianProcess process(*covariance, settings.noise, directions);
-                for (std::size_t i = 0; i < rows.size(); ++i)
-                    add_bmc_error(rows[i], process, values_of(i, covariance->knows_cosine()), integrands[i].truth);
-            } catch (const NotPositiveDefinite& error) {
-                print_note(formatted("warning: no Gaussian process with %zu samples: ", samples) + error.what());
-                for (ErrorRow& row : rows) row.bmc = row.predicted = {};
-                bmc_estimates = 0;
-            }
-        }
+    const DirectionsOf directions_of = [&, drawn = directions_of_estimates(settings, samples)](std::size_t e) {
         progress.done();
+        return drawn(e);
+    };
+    add_mc_errors(rows, integrands, settings, directions_of);
+    try {
+        add_bmc_errors(rows, integrands, settings, directions_of);
+    } catch (const NotPositiveDefinite& error) {
+        print_note(formatted("warning: no Gaussian process with %zu samples: ", samples) + error.what());
+        for (ErrorRow& row : rows) row.bmc = row.predicted = {};
     }
     return rows;
 }

@@ -177,8 +177,8 @@ std::map<std::string, std::function<void()>> all_checks() {
                 rule(monte_carlo_rule(directions_of(n), density));
             }
     };
-    check["add_mc_error"] = [] { error_rows_of(7, 0); };
-    check["add_bmc_error"] = [] { error_rows_of(0, 5); };
+    check["add_mc_errors"] = [] { error_rows_of(7, 0); };
+    check["add_bmc_errors"] = [] { error_rows_of(0, 5); };
     check["cosine_rule"] = [] {
         for (const bool knows_cosine : {false, true}) {
             in = formatted("known part %s: ", knows_cosine ? "cosine" : "nothing");
