@@ -15,8 +15,7 @@ static std::string run(std::vector<std::string> words) {
                                         {"light", "an environment as a PFM file, > desert.pfm", light_file},
                                         {"tradeoff", "what accuracy costs", tradeoff_report},
                                         {"models", "covariances and noise compared", models_report},
-                                        {"stability", "where the arithmetic breaks", stability_report},
-                                        {"known-light", "what you gain by knowing the light", known_light_report}};
+                                        {"stability", "where the arithmetic breaks", stability_report}};
     const std::string name = words.size() > 1 && words[1][0] != '-' ? words[1] : "";  // "": no command
     std::string names, usages;
     for (const Command& command : commands) {

@@ -1,7 +1,6 @@
 #include "scene/known_light.h"
 
 #include "experiments/picture_cost.h"
-#include "experiments/reports.h"
 #include "light/texels_on_sphere.h"
 
 namespace bmc {
@@ -42,42 +41,19 @@ static Shader mis_shader(const EnvironmentMap& map, const std::vector<Lamp>& lam
     };
 }
 
-static std::string known_light_table(const CostSettings& costs, const std::string& name, const EnvironmentMap& map) {
-    const RenderSettings dense = row_settings(costs, {}, 1);
-    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 16);
-    const EnvironmentMap irradiance = light_around(cells_of_light(map, 1e300, 64), 0, 128, 0, dense.threads);
-    constexpr Placement stratified{PointSet::stratified, Density::cosine};
+std::vector<PictureCost> known_light_pictures(const EnvironmentMap& map) {
     constexpr Placement optimised{PointSet::optimised, Density::cosine};
-    std::vector<PictureCost> compared{
-        compared_picture(map, Method::mc, 1, {}),         compared_picture(map, Method::pool, 20, {}),
-        compared_picture(map, Method::mc, 1, stratified), compared_picture(map, Method::mc, 1, optimised),
-        compared_picture(map, Method::mc, 1, optimised),  compared_picture(map, Method::mc, 1, optimised),
-        compared_picture(map, Method::pool, 1, optimised)};
-    PictureCost &mis = compared[4], &mis_ratio = compared[5], &pool = compared[6];
+    const auto lamps = std::make_shared<const std::vector<Lamp>>(points_of_light(map, 0, 1 << 16));
+    const auto irradiance = std::make_shared<const EnvironmentMap>(
+        light_around(cells_of_light(map, 1e300, 64), 0, 128, 0, RenderSettings().threads));
+    PictureCost mis = compared_picture(map, Method::mc, 1, optimised), mis_ratio = mis;
+    PictureCost pool = compared_picture(map, Method::pool, 1, optimised);
     mis.method_column = "mis";
     mis_ratio.method_column = "mis-ratio";
     mis.light_known = mis_ratio.light_known = pool.light_known = true;
-    mis.image = [&](const auto& s) { return render(map, s, mis_shader(map, lamps, nullptr, s)); };
-    mis_ratio.image = [&](const auto& s) { return render(map, s, mis_shader(map, lamps, &irradiance, s)); };
-    pool.image = [&](const auto& s) { return render(map, s, known_light_shader(map, s)); };
-    Statistics mean;
-    const Image truth = render(map, dense, [&](const Hit& hit, int, int) {
-        Colour sum;
-        for (const auto& [direction, light] : lamps)
-            if (!is_shadowed(sphere_scene, hit, direction)) sum += std::max(0.0, dot(hit.normal, direction)) * light;
-        return 1 / pi * (hit.albedo * sum);
-    });
-    for_each_hit(sphere_scene, {costs.size, costs.size},
-                 [&](int x, int y, const Hit&) { mean.add(brightness(truth(x, y)) / 3); });
-    return formatted("# The sphere scene under %s. The mean radiance of the objects is %.4g.\n", name.c_str(),
-                     mean.mean) +
-           "# Columns as of tradeoff; mis: directions in proportion to the light, and to the cosine; mis-ratio: the "
-           "same\n"
-           "# sum over itself without shadows, times the light without shadows.\n" +
-           measured_table(costs, compared, truth);
-}
-
-std::string known_light_report(Arguments& arguments) {
-    return picture_report(taken_costs(arguments), known_light_table);
+    mis.image = [=, &map](const auto& s) { return render(map, s, mis_shader(map, *lamps, nullptr, s)); };
+    mis_ratio.image = [=, &map](const auto& s) { return render(map, s, mis_shader(map, *lamps, irradiance.get(), s)); };
+    pool.image = [&map](const auto& s) { return render(map, s, known_light_shader(map, s)); };
+    return {mis, mis_ratio, pool};
 }
 }  // namespace bmc

@@ -45,6 +45,9 @@ struct PictureCost {
 PictureCost compared_picture(const EnvironmentMap& light, Method method, std::size_t pool, Placement placement);
 std::vector<PictureCost> compared_pictures(const EnvironmentMap& light);
 
+// Those for which this light is known: mis and mis-ratio, as renderers sample such a light, and ours (known_light.h).
+std::vector<PictureCost> known_light_pictures(const EnvironmentMap& light);
+
 // The settings of a row: with these samples and the size. The row's pictures have the seeds that follow this one.
 RenderSettings row_settings(const CostSettings& costs, RenderSettings settings, std::size_t samples);
 
