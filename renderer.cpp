@@ -2,9 +2,8 @@
 #include "base/portable_math.h"
 
 #include "command_line/command_line.h"
+#include "known_light/known_light.h"
 #include "scene/advice.h"
-#include "scene/known_light.h"
-#include "scene/render.h"
 
 using namespace bmc;
 
@@ -26,14 +25,13 @@ static std::string file_of(Image image, Format format, double stops) {
 
 static std::string run(Arguments& arguments) {
     RenderSettings settings;
-    bool light_known = false;
     std::string environment = built_in_lights[0];
     double exposure = 0;
     Format format = Format::ppm;
     arguments.add("method", method_names, settings.method);
     arguments.add("samples", "N", "directions per pixel", settings.samples, 1, max_process_samples);
     arguments.add("pool", "K", "Gaussian processes of --method pool", settings.pool, 1, 1000);
-    add_model_options(arguments, settings, &light_known);
+    add_model_options(arguments, settings, {"nothing", "cosine", "light"});
     arguments.add({"size", "WxH",
                    formatted("in pixels, or W for a square (default %dx%d)", settings.width, settings.height),
                    [&](const std::string& text) { set_size(settings, text); }});
@@ -44,15 +42,18 @@ static std::string run(Arguments& arguments) {
                    [&](const std::string& text) { settings.threads = parse<std::size_t>(text, 1, 256); }});
     arguments.make_idle({"covariance", "smoothness", "length-scale", "noise"}, "with --method mc",
                         [&] { return settings.method == Method::mc; });
-    arguments.make_idle({"known"}, "with --method mc", [&] { return settings.method == Method::mc && !light_known; });
+    arguments.make_idle({"known"}, "with --method mc",
+                        [&] { return settings.method == Method::mc && arguments.given["known"] != "light"; });
     arguments.make_idle({"pool"}, "without --method pool", [&] { return settings.method != Method::pool; });
     arguments.make_idle({"pool"}, "with a lattice or an optimised set", [&] { return settings.placement.is_fixed(); });
     arguments.make_idle({"exposure"}, "with --format pfm", [&] { return format == Format::pfm; });
     arguments.take("out.ppm");
 
     const EnvironmentMap light = load_environment(environment, settings.threads);
-    if (light_known)  // by a quotient, which cancels what the weights do to a white world
-        return file_of(render(light, settings, known_light_shader(light, settings)), format, exposure);
+    if (arguments.given["known"] == "light") {  // by a quotient, which cancels what the weights do to a white world
+        const KnownLight known = known_light(light, settings.samples, settings.threads);
+        return file_of(render(light, settings, known_light_shader(known, settings)), format, exposure);
+    }
     note_uneven_light(light, settings.samples);
     const PixelRules rules(settings);
     warn_of_weights(rules);

@@ -1,12 +1,11 @@
 #include "base/progress.h"
 
+#include "base/formatted.h"
 #include "base/terminal.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <chrono>
-#include <cstdio>
 #include <future>
 #include <mutex>
 #include <system_error>
@@ -37,20 +36,13 @@ void for_each_row(int rows, std::size_t threads, const std::function<void(int y)
     for (std::future<void>& helper : helpers) helper.get();
 }
 
-static int columns = 0;  // of the line that is shown
-
-static void clear_line() {
-    if (columns > 0) std::fprintf(stderr, "\r%*s\r", columns, "");
-    columns = 0;
-}
-
 static double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 Progress::Progress(const std::string& phase, std::size_t parts) : phase_(phase), parts_(parts), start_(seconds()) {}
 
-Progress::~Progress() { clear_line(); }
+Progress::~Progress() { show_line(""); }
 
 void Progress::done() {
     static std::mutex mutex;
@@ -60,15 +52,6 @@ void Progress::done() {
     if (spent < shown_ + 1 || !is_in_foreground()) return;
     shown_ = spent;
     const double left = spent / static_cast<double>(done_) * static_cast<double>(parts_ - done_);
-    clear_line();
-    columns = std::fprintf(stderr, "%s: %zu %%, %.0f s left", phase_.c_str(), 100 * done_ / parts_, left);
-}
-
-// Nothing here allocates: the problem may be a lack of memory.
-void print_note(std::string_view text) {
-    clear_line();
-    std::fprintf(stderr, "%s: ", program_name);
-    for (const char c : text) std::fputc(std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c, stderr);
-    std::fputc('\n', stderr);
+    show_line(formatted("%s: %zu %%, %.0f s left", phase_.c_str(), 100 * done_ / parts_, left));
 }
 }  // namespace bmc

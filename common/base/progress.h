@@ -1,10 +1,9 @@
-// How a long calculation runs: its rows by several threads, and what a person sees of it on standard error.
+// How a long calculation runs: its rows by several threads, and how far it is.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <string_view>
 
 namespace bmc {
 // The number of processors of this machine, at least 1.
@@ -13,11 +12,6 @@ std::size_t processors();
 // Calls row(y) once for every y from 0 to rows - 1, in any order, on at most this number of threads. If a call throws,
 // no thread begins another row, and the exception reaches the caller.
 void for_each_row(int rows, std::size_t threads, const std::function<void(int y)>& row);
-
-// Prints a line on stderr, which begins with the program's name. Control characters become question marks: it may quote
-// options and files.
-inline const char* program_name = "bmc";
-void print_note(std::string_view text);
 
 // A phase of a long calculation, which consists of equal parts. Every second the terminal shows "picture: 43 %, 12 s
 // left", until the phase ends; but not from the background, where another program has the terminal.

@@ -1,7 +1,8 @@
 #include "base/terminal.h"
 
+#include <cctype>
+#include <cstdio>
 #include <cstdlib>
-#include <string_view>
 
 #ifdef _WIN32
 
@@ -22,10 +23,26 @@ bool bmc::is_in_foreground() {
 }
 void bmc::keep_all_bytes() { fcntl(STDOUT_FILENO, F_SETFL, fcntl(STDOUT_FILENO, F_GETFL) & ~O_NONBLOCK); }
 
-#else
+#else  // ask nothing
 
 bool bmc::output_is_terminal() { return false; }
 bool bmc::is_in_foreground() { return false; }
 void bmc::keep_all_bytes() {}
 
 #endif
+
+namespace bmc {
+void show_line(std::string_view text) {
+    static int columns = 0;  // of the line that is shown
+    if (columns > 0) std::fprintf(stderr, "\r%*s\r", columns, "");
+    columns = std::fprintf(stderr, "%.*s", static_cast<int>(text.size()), text.data());
+}
+
+// Nothing here allocates: the problem may be a lack of memory.
+void print_note(std::string_view text) {
+    show_line("");
+    std::fprintf(stderr, "%s: ", program_name);
+    for (const char c : text) std::fputc(std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c, stderr);
+    std::fputc('\n', stderr);
+}
+}  // namespace bmc

@@ -18,6 +18,7 @@ inline Colour operator*(Colour a, Colour b) { return {a.x * b.x, a.y * b.y, a.z 
 
 inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline double luminance(Colour c) { return dot({0.2126, 0.7152, 0.0722}, c); }  // Rec. 709
+inline double channel_sum(Colour c) { return c.x + c.y + c.z; }  // one number for a radiance, whatever its colour
 inline double squared_distance(Vec3 a, Vec3 b) { return dot(a - b, a - b); }
 inline double length(Vec3 v) { return std::sqrt(dot(v, v)); }
 

@@ -1,6 +1,5 @@
 #include "command_line/command_line.h"
 
-#include "base/progress.h"
 #include "base/terminal.h"
 
 #include <algorithm>
@@ -41,20 +40,15 @@ Option choice(const char* name, const std::vector<std::string>& names, std::size
             }};
 }
 
-void add_model_options(Arguments& arguments, ModelSettings& s, bool* light_known) {
+void add_model_options(Arguments& arguments, ModelSettings& s, const std::vector<std::string>& known) {
     arguments.add("covariance", covariance_names, s.covariance);
     arguments.add("smoothness", "X", "of sobolev, between 1 and 2", s.smoothness, min_smoothness, max_smoothness);
     arguments.add("length-scale", "X", "of the other covariances, from 0.05", s.length_scale, min_length_scale,
                   max_length_scale);
     arguments.add("noise", "X", "standard deviation of sample errors, relative to f's amplitude", s.noise, 0, 1000);
-    std::vector<std::string> known{"nothing", "cosine"};
-    if (light_known) known.push_back("light");
     arguments.add(choice("known", known, 0,
                          ": known part of the integrand; a cosine placement makes it cosine unless given",
-                         [=, &s](std::size_t chosen) {
-                             s.knows_cosine = chosen > 0;
-                             if (light_known) *light_known = chosen == 2;
-                         }));
+                         [&s](std::size_t chosen) { s.known = chosen == 0 ? Known::nothing : Known::cosine; }));
     std::vector<std::string> placements;
     for (const Placement placement : all_placements()) placements.push_back(placement.name());
     arguments.add(
@@ -101,7 +95,7 @@ std::vector<std::string> Arguments::read() {
         } catch (const std::invalid_argument& error) {
             throw std::invalid_argument(name + ' ' + option->argument + ": " + error.what());
         }
-        given.push_back(option->name);
+        given[option->name] = value;
     }
     return others;
 }
@@ -132,7 +126,7 @@ void Arguments::take(const std::string& file) {
         throw std::invalid_argument("the picture would go to the terminal; add > " + file);
     for (const Option& option : options)
         for (const auto& [with, holds] : option.idle)
-            if (std::count(given.begin(), given.end(), option.name) > 0 && holds())
+            if (given.count(option.name) > 0 && holds())
                 print_note("note: --" + option.name + " changes nothing " + with);
 }
 

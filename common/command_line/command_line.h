@@ -5,6 +5,7 @@
 #include "base/formatted.h"
 #include "quadrature/model.h"
 
+#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -61,10 +62,10 @@ struct Arguments {
     // The options of these names change nothing "with --method mc", where that holds.
     void make_idle(const std::vector<std::string>& names, const std::string& with, const std::function<bool()>& holds);
 
-    // Applies the options in the words, "--name value", "--name=value" or "--name", and sets `given` to their names.
-    // Returns the words that no option takes. Throws std::invalid_argument that names the option.
+    // Applies the options in the words, "--name value", "--name=value" or "--name", and sets `given`, the value of each
+    // name. Returns the words that no option takes. Throws std::invalid_argument that names the option.
     std::vector<std::string> read();
-    std::vector<std::string> given = {};
+    std::map<std::string, std::string> given = {};
 
     // The same, where no other words are allowed. A note on stderr names each option that changes nothing. file: what
     // the output goes to, if it is no text for a terminal. Throws Help if that is what the words ask for.
@@ -79,9 +80,11 @@ struct Help {
     std::string text;
 };
 
-// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. With
-// light_known the light can be known, too, beside the cosine.
-void add_model_options(Arguments& arguments, ModelSettings& settings, bool* light_known = nullptr);
+// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. The
+// names of known are those of Known. If a program knows more, it adds a name, and asks `given`; a rule then knows the
+// cosine.
+void add_model_options(Arguments& arguments, ModelSettings& settings,
+                       const std::vector<std::string>& known = {std::begin(known_names), std::end(known_names)});
 
 // Adds the option samples, which takes a list such as 10,20,40; each number is at most max_process_samples.
 void add_sample_list(Arguments& arguments, std::vector<std::size_t>& samples);

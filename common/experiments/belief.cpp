@@ -2,6 +2,7 @@
 
 #include "base/progress.h"
 #include "base/statistics.h"
+#include "base/terminal.h"
 #include "experiments/integrands.h"
 #include "quadrature/gaussian_process.h"
 #include "scene/image.h"
@@ -114,13 +115,11 @@ std::string belief_discs(Arguments& arguments) {
     const auto covariance = settings.make_covariance();
     Random random(settings.seed, 0);
     const GaussianProcess process(*covariance, settings.noise, sampler_of(settings.placement, samples)(random));
-    const auto incident = [&](Vec3 omega) {
-        return luminance(view.light(omega)) * known_part(covariance->knows_cosine(), omega);
-    };
+    const auto incident = [&](Vec3 omega) { return luminance(view.light(omega)) * known_part(process.known, omega); };
     const auto square = [&](Vec3 omega) { return luminance(view.light(omega)) * incident(omega); };
-    const std::vector<double> values = unknown_part(incident, process.directions, covariance->knows_cosine());
+    const std::vector<double> values = unknown_part(incident, process.directions, process.known);
     print_estimate(process, values, reference_integral(incident),
-                   std::sqrt(reference_integral(square) / known_integral(covariance->knows_cosine())));
+                   std::sqrt(reference_integral(square) / known_integral(process.known)));
     Posterior posterior{*covariance, process, process.amplitude(values), std::vector<Colour>(samples)};
     for (double Colour::*channel : {&Colour::x, &Colour::y, &Colour::z}) {
         std::vector<double> light;

@@ -1,6 +1,7 @@
 #include "experiments/error_table.h"
 
 #include "base/progress.h"
+#include "base/terminal.h"
 #include "experiments/reports.h"
 #include "quadrature/gaussian_process.h"
 
@@ -37,8 +38,7 @@ static void add_bmc_errors(std::vector<ErrorRow>& rows, const std::vector<Integr
     for (std::size_t e = 0; e < settings.bmc_estimates; ++e) {
         const GaussianProcess process(*covariance, settings.noise, directions_of(e));
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const std::vector<double> values =
-                unknown_part(integrands[i].value, process.directions, covariance->knows_cosine());
+            const std::vector<double> values = unknown_part(integrands[i].value, process.directions, process.known);
             rows[i].bmc.add(absolute_error(process.integral(values), integrands[i].truth));
             rows[i].predicted.add(std::sqrt(2 / portable::pi) * process.error_bar(values));
         }

@@ -3,13 +3,15 @@
 #include "light/environment.h"
 
 #include <numeric>
+#include <stdexcept>
 
 namespace bmc {
 Integrand integrand_named(std::string_view name) {
     if (name == "cosine") return {"cos(theta)", [](Vec3 w) { return w.y; }, portable::pi};
     if (name == "cosine-cubed") return {"cos(theta)^3", [](Vec3 w) { return w.y * w.y * w.y; }, portable::pi / 2};
     if (name == "environment") return environment_integrand(std::make_shared<const EnvironmentMap>(load_environment()));
-    return {"1", [](Vec3) { return 1.0; }, 2 * portable::pi};
+    if (name == "constant") return {"1", [](Vec3) { return 1.0; }, 2 * portable::pi};
+    throw std::logic_error("there is no integrand " + std::string(name));
 }
 
 Integrand environment_integrand(const std::shared_ptr<const EnvironmentMap>& light) {
@@ -23,15 +25,15 @@ double reference_integral(const std::function<double(Vec3)>& f) {
 }
 
 std::vector<double> unknown_part(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
-                                 bool knows_cosine) {
+                                 Known known) {
     std::vector<double> values;
     values.reserve(directions.size());
-    for (const Vec3& omega : directions) values.push_back(f(omega) / known_part(knows_cosine, omega));
+    for (const Vec3& omega : directions) values.push_back(f(omega) / known_part(known, omega));
     return values;
 }
 
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f) {
-    const std::vector<double> values = unknown_part(f, rule.directions, rule.knows_cosine);
+    const std::vector<double> values = unknown_part(f, rule.directions, rule.known);
     return std::inner_product(values.begin(), values.end(), rule.weights.begin(), 0.0);
 }
 

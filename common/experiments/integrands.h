@@ -29,7 +29,7 @@ double reference_integral(const std::function<double(Vec3)>& f);
 
 // The unknown part of f at each direction: its value divided by the known part.
 std::vector<double> unknown_part(const std::function<double(Vec3)>& f, const std::vector<Vec3>& directions,
-                                 bool knows_cosine = false);
+                                 Known known = Known::nothing);
 
 // The rule's estimate of the integral of f.
 double estimate(const QuadratureRule& rule, const std::function<double(Vec3)>& f);

@@ -10,7 +10,8 @@ std::string light_file(Arguments& arguments) {
     arguments.take("desert.pfm");
     const EnvironmentMap map = load_environment(environment);
     Image image(map.width, map.height);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = map.colour(static_cast<int>(i) + 1);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) image(x, y) = map.colour(map.index(x, y));
     return encode(image, Format::pfm);
 }
 }  // namespace bmc

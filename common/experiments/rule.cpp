@@ -3,7 +3,7 @@
 #include "base/input.h"
 #include "experiments/samples.h"
 #include "quadrature/gaussian_process.h"
-#include "scene/advice.h"
+#include "quadrature/quadrature.h"
 
 #include <numeric>
 
@@ -38,10 +38,11 @@ static std::string sum_of(const GaussianProcess& process, const std::vector<doub
     return right_digits(process.integral(values), error, most);
 }
 
-static std::string weights_block(const GaussianProcess& process, bool knows_cosine) {
+static std::string weights_block(const GaussianProcess& process) {
     std::string text = formatted("#%23s %24s %24s %12s %24s\n", "x", "y", "z", "z_j", "weight");
-    const double integral = known_integral(knows_cosine),
-                 gain = noise_gain({process.directions, process.weights, knows_cosine});
+    const bool knows_cosine = process.known == Known::cosine;
+    const double integral = known_integral(process.known),
+                 gain = noise_gain({process.directions, process.weights, process.known});
     const std::vector<double> ones(process.z.size(), 1), parts(process.z.size(), 1 / integral);
     std::vector<double> white, squares;  // by which the weights sum to B, and to the gain^2 but for a factor
     int negative = 0;
@@ -66,7 +67,7 @@ static std::string weights_block(const GaussianProcess& process, bool knows_cosi
                       right_digits(gain, gain * error / process.integral(squares), 3).c_str());
 }
 
-static std::string estimate_line(const GaussianProcess& process, bool knows_cosine, const std::vector<double>& values) {
+static std::string estimate_line(const GaussianProcess& process, const std::vector<double>& values) {
     const double bar = process.error_bar(values), amplitude = process.amplitude(values);
     if (!std::isfinite(amplitude) || std::isinf(bar))
         throw std::runtime_error("the values are too large for their squares; divide all by one number");
@@ -82,7 +83,7 @@ static std::string estimate_line(const GaussianProcess& process, bool knows_cosi
         bar_text = "unknown: what is left of the variance may be rounding; more noise makes it larger";
     if (amplitude == 0) bar_text = "unknown: the values are 0, or too small to be squared";
     return formatted("# The integral of the values%s: estimate %s, amplitude %s, error bar ",
-                     knows_cosine ? " times cos(theta)" : "", sum_of(process, values, 9).c_str(),
+                     process.known == Known::cosine ? " times cos(theta)" : "", sum_of(process, values, 9).c_str(),
                      right_digits(amplitude, of_amplitude * amplitude, 6).c_str()) +
            bar_text + '\n';
 }
@@ -105,12 +106,12 @@ std::string rule_report(Arguments& arguments) {
     const Samples given = directions.empty() ? Samples{sampler_of(settings.placement, samples)(random)}
                                              : read_file(directions, read_samples);
     const GaussianProcess process(*covariance, settings.noise, given.directions);
-    std::string text = weights_block(process, covariance->knows_cosine());
+    std::string text = weights_block(process);
     if (!directions.empty())
         text += R"(# The weights are right if nobody looked at f to choose the directions. If some were drawn
 # towards the light, an estimate may be far too bright: let f be the visibility, and the light a known factor.
 )";
-    if (!given.values.empty()) text += estimate_line(process, covariance->knows_cosine(), given.values);
+    if (!given.values.empty()) text += estimate_line(process, given.values);
     if (!matrices) return text;
     return text + matrix_block("Q", covariance_matrix(*covariance, settings.noise, given.directions)) +
            matrix_block("Q^-1", process.inverse_covariance());

@@ -1,9 +1,8 @@
 #include "experiments/reports.h"
 
 #include "base/progress.h"
-#include "experiments/stability.h"
 #include "quadrature/gaussian_process.h"
-#include "scene/advice.h"
+#include "quadrature/quadrature.h"
 
 namespace bmc {
 constexpr double noises[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0};
@@ -46,6 +45,8 @@ static int digits_of(double error) {
     return static_cast<int>(std::max(0.0, std::floor(-portable::log(error) / portable::log(10))));
 }
 
+// n directions. random: uniform; duplicates: half as many, each of them twice; equator: all on the horizon; pole: all
+// at the pole; cluster: all within 1e-8 of one direction.
 std::vector<Vec3> sample_set(std::string_view name, std::size_t n) {
     Random random(1, n);
     std::vector<Vec3> directions = random_directions(n, random);

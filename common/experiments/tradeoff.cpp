@@ -1,19 +1,21 @@
+#include "base/progress.h"
 #include "experiments/picture_cost.h"
 #include "experiments/reports.h"
-#include "light/texels_on_sphere.h"
+#include "known_light/known_light.h"
 #include "quadrature/gaussian_process.h"
-#include "scene/known_light.h"
 
 #include <numeric>
 
 namespace bmc {
+using portable::pi;
+
 // z by its definition: 2 pi times the mean of k over 50,000 random directions.
 static std::vector<double> z_by_sum(const Covariance& covariance, const std::vector<Vec3>& directions) {
     Random random(1, 0);
     std::vector<double> z(directions.size());
     for (const Vec3& omega : random_directions(50000, random))
         for (std::size_t j = 0; j < z.size(); ++j)
-            z[j] += 2 * portable::pi / 50000 * covariance.k(squared_distance(omega, directions[j]));
+            z[j] += 2 * pi / 50000 * covariance.k(squared_distance(omega, directions[j]));
     return z;
 }
 
@@ -55,8 +57,7 @@ static std::string rule_costs() {
         for (const double step_seconds : seconds) text += formatted(" %10.3g", 1e6 * step_seconds);
         text += '\n';
     }
-    double pixels = 0;
-    for_each_hit(sphere_scene, {usual.width, usual.height}, [&](int, int, const Hit&) { ++pixels; });
+    const double pixels = pixels_of_objects({usual.width, usual.height});
     return text +
            formatted(
                R"(# A picture of %d x %d shows objects in %.0f pixels. A rule of %zu samples for each of them takes
@@ -67,38 +68,138 @@ static std::string rule_costs() {
                usual.width, usual.height, pixels, usual.samples, pixels * usual_seconds, pixels * sum_seconds / 60);
 }
 
-// By rays to 65536 points of equal light.
-static Image true_picture(const CostSettings& costs, const EnvironmentMap& map) {
+// What a light gives to the pictures of all methods and seeds.
+struct Light {
+    const EnvironmentMap map;
     const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 16);
-    return render(map, row_settings(costs, {}, 1), [&](const Hit& hit, int, int) {
-        Colour sum;
-        for (const auto& [direction, light] : lamps)
-            if (!is_shadowed(sphere_scene, hit, direction)) sum += std::max(0.0, dot(hit.normal, direction)) * light;
-        return 1 / portable::pi * (hit.albedo * sum);
+    const EnvironmentMap irradiance = light_around(cells_of_light(map, DBL_MAX, 64), 0, 128, 0, processors());
+};
+
+// What renderers do with a light that they know: half of the samples are drawn in proportion to the light and
+// stratified, the others are the directions of a rule, of density cos(theta) / pi. Each is weighted by the balance
+// heuristic of multiple importance sampling (Veach & Guibas, "Optimally combining sampling techniques for Monte Carlo
+// rendering", SIGGRAPH 1995). With the table of E(n), the sum is divided by itself without shadows and multiplied by
+// E(n) (Heitz, Hill & McGuire, "Combining analytic direct illumination and stochastic shadows", I3D 2018).
+static Shader mis_shader(const Light& light, bool as_ratio, RenderSettings settings) {
+    const auto all = static_cast<double>(settings.samples), points = static_cast<double>(light.lamps.size());
+    settings.samples = (settings.samples + 1) / 2;
+    return [=, &light, rules = PixelRules(settings)](const Hit& hit, int x, int y) {
+        Random random = pixel_stream(settings, x, y);
+        const OrientedRule oriented = rules.rule_for(hit.normal, random);
+        std::vector<Vec3> directions = oriented.rule->directions;
+        for (Vec3& direction : directions) direction = oriented.frame.to_world(direction);
+        const double by_cosine = static_cast<double>(directions.size()), by_light = all - by_cosine;
+        for (double j = 0; j < by_light; ++j)
+            directions.push_back(light.lamps[std::size_t((j + random.uniform()) / by_light * points)].direction);
+        Arriving sum;
+        for (const Vec3& direction : directions) {
+            const double cosine = dot(hit.normal, direction);
+            const Colour radiance = light.map.radiance(direction);
+            const double drawn = by_light * channel_sum(radiance) / (points * channel_sum(light.lamps[0].light));
+            if (cosine > 0) sum.add(hit, {direction, 1 / (drawn + by_cosine * cosine / pi) * radiance});
+        }
+        const Colour irradiance =
+            as_ratio ? light.irradiance.interpolated(hit.normal) * fraction(sum.visible, sum.all) : sum.visible;
+        return 1 / pi * (hit.albedo * irradiance);
+    };
+}
+
+// By rays to many lamps.
+static Image true_picture(const EnvironmentMap& map, const RenderSettings& settings) {
+    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 15);
+    return render(map, settings, [&](const Hit& hit, int, int) {
+        Arriving sum;
+        for (const Lamp& lamp : lamps) sum.add(hit, lamp);
+        return 1 / pi * (hit.albedo * sum.visible);
     });
 }
 
-static std::string tradeoff_table(const CostSettings& costs, const std::string& name, const EnvironmentMap& light) {
-    const Image truth = true_picture(costs, light);
+// All methods that are compared, with these settings; classic Monte Carlo first, and in the end those that know the
+// light.
+static std::vector<PictureMethod> compared_methods(const Light& light, const KnownLight& known, RenderSettings s) {
+    std::vector<PictureMethod> methods;
+    const auto compare = [&](Method method, std::size_t pool, PointSet set, Density density) {
+        s.method = method;
+        s.pool = pool;
+        s.placement = {set, density};
+        methods.push_back({name_of(method, method_names), name_of(s.known_part(), known_names), s,
+                           [&](const auto& each) { return environment_shader(light.map, PixelRules(each)); }});
+    };
+    compare(Method::mc, 1, PointSet::random, Density::uniform);
+    compare(Method::mc, 1, PointSet::random, Density::cosine);
+    compare(Method::direct, 1, PointSet::random, Density::uniform);
+    compare(Method::single, 1, PointSet::random, Density::uniform);
+    compare(Method::rotated, 1, PointSet::random, Density::uniform);
+    compare(Method::pool, 5, PointSet::random, Density::uniform);
+    compare(Method::pool, 20, PointSet::random, Density::uniform);
+    compare(Method::pool, 20, PointSet::random, Density::cosine);
+    for (const PointSet set : {PointSet::stratified, PointSet::fibonacci, PointSet::optimised}) {
+        compare(Method::mc, 1, set, Density::cosine);
+        compare(Method::pool, set == PointSet::stratified ? 20 : 1, set, Density::cosine);
+    }
+    s.method = Method::mc;
+    methods.push_back({"mis", "light", s, [&](const auto& each) { return mis_shader(light, false, each); }});
+    methods.push_back({"mis-ratio", "light", s, [&](const auto& each) { return mis_shader(light, true, each); }});
+    s.method = Method::pool;
+    methods.push_back({"pool", "light", s, [&](const auto& each) { return known_light_shader(known, each); }});
+    return methods;
+}
+
+// The settings of tradeoff.
+struct Asked {
+    std::string environment = {};  // empty: the built-in lights
+    int size = 64;
+    std::uint64_t seed = 1;  // picture i of seed k has the seed 1000 (k - 1) + i, i from 1
+    bool untimed = false;
+    std::vector<std::size_t> sample_counts{10, 40};
+};
+
+static std::string tradeoff_table(const Asked& asked, const std::string& name) {
+    const Light light{load_environment(name)};
+    RenderSettings settings;
+    settings.width = settings.height = asked.size;
+    settings.seed = 1000 * (asked.seed - 1);
+    const Image truth = true_picture(light.map, settings);
     Statistics mean;
-    for_each_hit(sphere_scene, {costs.size, costs.size},
-                 [&](int x, int y, const Hit&) { mean.add(brightness(truth(x, y)) / 3); });
-    std::vector<PictureCost> compared = compared_pictures(light);
-    for (const PictureCost& picture : known_light_pictures(light)) compared.push_back(picture);
+    for_each_hit({asked.size, asked.size}, [&](int x, int y, const Hit&) { mean.add(channel_sum(truth(x, y)) / 3); });
+    if (mean.mean == 0)
+        throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
+    std::vector<PictureRow> rows;
+    for (const std::size_t n : asked.sample_counts) {
+        const KnownLight known = known_light(light.map, n, processors());
+        settings.samples = n;
+        const std::vector<PictureMethod> methods = compared_methods(light, known, settings);
+        Progress progress(formatted("methods with %zu samples", n), methods.size());
+        for (const PictureMethod& method : methods) {
+            rows.push_back(picture_row(method, truth, !asked.untimed));
+            progress.done();
+        }
+    }
     return formatted("# What a picture costs: the sphere scene, %d x %d pixels, under %s. The mean radiance is %.4g",
-                     costs.size, costs.size, name.c_str(), mean.mean) +
+                     asked.size, asked.size, name.c_str(), mean.mean) +
            R"(.
-# Against rays to 65,536 points of equal light, over 4 to 64 seeds. rmse: linear, over the pixels that show an
+# Against rays to 32,768 points of equal light, over 4 to 64 seeds. rmse: linear, over the pixels that show an
 # object, with its standard error; correlation: of the errors of neighbouring pixels, less their mean; brightness:
 # root mean square of the mean's relative error; mc_samples: samples with which mc has this rmse; known: what is
-# known of the integrand. Where times are measured, here: seconds for a million pixels of objects on one processor;
-# efficiency, 1 / (rmse^2 seconds), is that relative to mc. mis: half of the directions in proportion to the light;
-# mis-ratio: that sum over itself without shadows, times the light without shadows.
-)" + measured_table(costs, compared, truth);
+# known of the integrand. Where times are measured, here: seconds for a million pixels of objects on one processor,
+# without the tables of a known light, which all pictures share; efficiency, 1 / (rmse^2 seconds), is that relative to
+# mc. mis: half of the directions in proportion to the light; mis-ratio: that sum over itself without shadows, times
+# the light without shadows.
+)" + picture_table(rows, !asked.untimed);
 }
 
 std::string tradeoff_report(Arguments& arguments) {
-    const CostSettings costs = taken_costs(arguments);
-    return (costs.untimed ? "" : rule_costs()) + picture_report(costs, tradeoff_table);
+    Asked asked;
+    arguments.add("environment", "FILE", "one light, as for the renderer (default: each built-in light)",
+                  asked.environment);
+    arguments.add("size", "W", "size of the pictures: W x W pixels", asked.size, 2, 1024);
+    arguments.add("seed", "K", "seed of the random numbers", asked.seed, 0, UINT64_MAX);
+    arguments.add("no-times", "leave out measured times, which differ from run to run", asked.untimed);
+    add_sample_list(arguments, asked.sample_counts);
+    arguments.take();
+    std::string text = asked.untimed ? "" : rule_costs();
+    const auto names = asked.environment.empty() ? light_names() : std::vector{asked.environment};
+    for (const std::string& name : names) text += (&name == &names[0] ? "" : "\n\n") + tradeoff_table(asked, name);
+    return text;
 }
 }  // namespace bmc

@@ -6,6 +6,7 @@
 
 #include "base/vec3.h"
 
+#include <algorithm>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -55,12 +56,62 @@ public:
     // their edges.
     Colour bilinear_radiance(Vec3 direction) const;
 
-    // Between four texels: column u >= -1, where the last column repeats the first one, and row v.
+    // Between four texels: column u >= -1, where the last column repeats the first one, and row v; or those around a
+    // direction, in a table of values at the corners of texels.
     Colour interpolated(double u, double v) const;
+    Colour interpolated(Vec3 direction) const {
+        return interpolated(column(direction.x, direction.z), row(direction.y));
+    }
 
 private:
     std::vector<float> rgb_;  // of texels 0, 1, ...
 };
+
+// The texels of a map as pieces of the sphere. The last column and row have no area (see above) and are left out,
+// unless there is no other. If there are too few texels, each is cut into equal pieces.
+struct TexelsOnSphere {
+    const EnvironmentMap& map;
+    const int across, down;  // pieces of a texel
+    const int columns, rows;
+
+    explicit TexelsOnSphere(const EnvironmentMap& texels, int min_columns = 1, int min_rows = 1)
+        : map(texels),
+          across(1 + (min_columns - 1) / std::max(1, map.width - 1)),
+          down(1 + (min_rows - 1) / std::max(1, map.height - 1)),
+          columns(across * std::max(1, map.width - 1)),
+          rows(down * std::max(1, map.height - 1)) {}
+
+    Colour operator()(int row, int column) const { return map.colour(map.index(column / across, row / down)); }
+
+    // The solid angle of one texel of the row.
+    double solid_angle(int row) const {
+        return 2 * portable::pi / columns * (polar(row).cosine - polar(row + 1).cosine);
+    }
+
+    // Sine and cosine of the polar angle at this height, counted in rows: row + 0.5 is the middle of a row.
+    portable::SineCosine polar(double height) const { return portable::sincos_turns(0.5 * height / rows); }
+
+    // Sine and cosine of the azimuth at this place, counted in columns from +z over -x.
+    portable::SineCosine azimuth(double place) const { return portable::sincos_turns(place / columns - 0.5); }
+};
+
+// The direction (sin(polar) sin(azimuth), cos(polar), -sin(polar) cos(azimuth)).
+inline Vec3 direction_of(portable::SineCosine polar, portable::SineCosine azimuth) {
+    return {polar.sine * azimuth.sine, polar.cosine, -polar.sine * azimuth.cosine};
+}
+
+// The mean over all directions of f(L).
+template <class Function>
+double mean_over_directions(const EnvironmentMap& map, Function f) {
+    const TexelsOnSphere texels(map);
+    double sum = 0;
+    for (int row = 0; row < texels.rows; ++row) {
+        double row_sum = 0;
+        for (int column = 0; column < texels.columns; ++column) row_sum += f(texels(row, column));
+        sum += texels.solid_angle(row) * row_sum;
+    }
+    return sum / (4 * portable::pi);
+}
 
 // The built-in lights are maps of 1024 x 512 texels:
 // - desert: an arch of sandstone around -z and the sun high on the right, behind a camera that looks at the arch;

@@ -80,12 +80,12 @@ SquaredExponential::SquaredExponential(double l)
     : kappa(1 / (l * checked("length-scale", l, min_length_scale, max_length_scale))),
       zz_value(zz_by_caps([&](double b) { return SquaredExponential::cap_mean(b); })) {}
 
-std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter, bool knows_cosine) {
+std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter, Known known) {
     const bool in_closed_form = family == CovarianceFamily::sobolev && parameter == 1.5;
-    if (knows_cosine && !in_closed_form)
+    if (known == Known::cosine && !in_closed_form)
         throw std::invalid_argument(
             "the known part cosine, as of directions of that density, needs the covariance sobolev of smoothness 1.5");
-    if (knows_cosine) return std::make_shared<SobolevKnownCosine>();
+    if (known == Known::cosine) return std::make_shared<SobolevKnownCosine>();
     if (in_closed_form) return std::make_shared<Sobolev>();
     switch (family) {
         case CovarianceFamily::sobolev: return std::make_shared<GeneralSobolev>(parameter);

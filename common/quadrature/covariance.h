@@ -12,12 +12,20 @@
 #include <memory>
 
 namespace bmc {
-// p(direction), and the integral of p over H.
-inline double known_part(bool knows_cosine, Vec3 direction) { return knows_cosine ? direction.y : 1; }
-inline double known_integral(bool knows_cosine) { return knows_cosine ? portable::pi : 2 * portable::pi; }
+// What is known of an integrand, p(direction), and the integral of p over H.
+enum class Known { nothing, cosine };
+inline constexpr const char* known_names[] = {"nothing", "cosine"};
+inline double known_part(Known known, Vec3 direction) { return known == Known::cosine ? direction.y : 1; }
+inline double known_integral(Known known) { return known == Known::cosine ? portable::pi : 2 * portable::pi; }
+
+// The p that directions of this density are in proportion to.
+inline Known known_of(Density density) { return density == Density::cosine ? Known::cosine : Known::nothing; }
 
 // A covariance has to define only k and M.
 struct Covariance {
+    const Known known;  // the p of z and zz
+
+    explicit Covariance(Known p = Known::nothing) : known(p) {}
     virtual ~Covariance() = default;
 
     // k of a squared chord, in [0, 4].
@@ -36,13 +44,12 @@ struct Covariance {
     // z for p = 1 as an integral of M, with this step of ln t. Exact to rounding by 1/4 for Sobolev, and by 1/8 for a
     // squared exponential, too, which 1/4 leaves 1e-10 off at l = 0.05.
     double z_by_caps(double cos_theta, double step) const;
-
-    virtual bool knows_cosine() const { return false; }
 };
 
 // Sobolev of smoothness 3/2: k(r) = 8/3 - r falls on a straight line from 8/3 to 2/3. Its functions are continuous but
 // rough. Light has edges, which no continuous prior has; a rough one is less wrong than a smooth one.
 struct Sobolev : Covariance {
+    using Covariance::Covariance;
     double k(double squared_chord) const override { return 8.0 / 3 - std::sqrt(squared_chord); }
     double cap_mean(double b) const override { return 8.0 / 3 - 2.0 / 3 * std::sqrt(2 * b); }
     double z(double cos_theta) const override;
@@ -51,9 +58,9 @@ struct Sobolev : Covariance {
 
 // The same with the known part p = cos(theta), for directions that are denser where the cosine is large.
 struct SobolevKnownCosine final : Sobolev {
+    SobolevKnownCosine() : Sobolev(Known::cosine) {}
     double z(double cos_theta) const override;
     double zz() const override { return 16.787120248013257721; }  // by quadrature to 20 digits
-    bool knows_cosine() const override { return true; }
 };
 
 // Sobolev of any smoothness s between 1 and 2: k(r) = C - r^(2s - 2), C = 2^(2s - 1) / s (Brauchart, Saff, Sloan &
@@ -90,5 +97,6 @@ inline constexpr const char* covariance_names[] = {"sobolev", "squared-exponenti
 
 // The covariance of this family and parameter, the smoothness of sobolev or else the length-scale. Throws
 // std::invalid_argument as its constructor does, and if its z has no closed form where the cosine is known.
-std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter, bool knows_cosine = false);
+std::shared_ptr<const Covariance> make_covariance(CovarianceFamily family, double parameter,
+                                                  Known known = Known::nothing);
 }  // namespace bmc

@@ -59,7 +59,8 @@ Matrix covariance_matrix(const Covariance& covariance, double noise, const std::
 
 // C++ makes members in the order of the header, so that each can be made from those before it.
 GaussianProcess::GaussianProcess(const Covariance& covariance, double noise, std::vector<Vec3> unit_directions)
-    : directions(checked(std::move(unit_directions), noise)),
+    : known(covariance.known),
+      directions(checked(std::move(unit_directions), noise)),
       z(z_of(covariance, directions)),
       cholesky(covariance_matrix(covariance, noise, directions)),
       weights(bayesian_weights(cholesky, z)),

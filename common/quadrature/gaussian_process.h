@@ -13,6 +13,7 @@
 namespace bmc {
 struct GaussianProcess {
     // Made in this order, each from those before it.
+    Known known;  // p, of the covariance
     std::vector<Vec3> directions;
     std::vector<double> z;        // z_j, the integral over H of k(omega_j, omega) p(omega) d omega
     Cholesky cholesky;            // the factor of Q

@@ -1,7 +1,5 @@
 #include "quadrature/hemisphere.h"
 
-#include "base/progress.h"
-
 namespace bmc {
 // The azimuth is 0 at +z, and a quarter turn at +x.
 static inline Vec3 direction_at(double u, double turns, Density density) {
@@ -54,16 +52,13 @@ std::vector<Vec3> optimised_directions(std::size_t n, Density density) {
     constexpr int sweeps = 50;
     std::vector<Vec3> directions = fibonacci_directions(n, density);
     Random random(0, n);
-    Progress progress("directions", sweeps);
-    for (int sweep = sweeps; sweep > 0; --sweep) {
+    for (int sweep = sweeps; sweep > 0; --sweep)
         for (Vec3& from : directions) {
             const Vec3 to = rotate_around_y(from, (random.uniform() - 0.5) * sweep / sweeps);
             double farther = -length(to - from);  // from the others; the sum counts the place that it leaves, too
             for (const Vec3& other : directions) farther += length(to - other) - length(from - other);
             if (farther > 0) from = to;
         }
-        progress.done();
-    }
     return directions;
 }
 

@@ -16,14 +16,14 @@ struct ModelSettings {
     double smoothness = 1.5;  // of sobolev
     double length_scale = 1;  // of any other family
     double noise = 0.01;
-    std::optional<bool> knows_cosine = {};  // unless given, if the density of the placement is the cosine
+    std::optional<Known> known = {};  // unless given, the density of the placement
     Placement placement = {};
     std::uint64_t seed = 1;
 
     double parameter() const { return covariance == CovarianceFamily::sobolev ? smoothness : length_scale; }
+    Known known_part() const { return known.value_or(known_of(placement.density)); }
     std::shared_ptr<const Covariance> make_covariance() const {
-        return bmc::make_covariance(covariance, parameter(),
-                                    knows_cosine.value_or(placement.density == Density::cosine));
+        return bmc::make_covariance(covariance, parameter(), known_part());
     }
 };
 }  // namespace bmc

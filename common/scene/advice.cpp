@@ -1,9 +1,8 @@
 #include "scene/advice.h"
 
 #include "base/formatted.h"
-#include "base/progress.h"
 #include "base/statistics.h"
-#include "light/texels_on_sphere.h"
+#include "base/terminal.h"
 #include "scene/scene.h"
 
 namespace bmc {
@@ -15,12 +14,12 @@ static double contrast(const EnvironmentMap& light) {
     std::vector<double> towards_camera;
     for (int column = 0; column < texels.columns; ++column)
         towards_camera.push_back(-texels.azimuth(column + 0.5).cosine);
-    Vec3 sums;  // of the weights, and of brightness and its square with these weights
+    Vec3 sums;  // of the weights, and of R + G + B and its square with these weights
     for (int row = 0; row < texels.rows; ++row) {
         const auto [sine, cosine] = texels.polar(row + 0.5);
         for (int column = 0; column < texels.columns; ++column) {
             const double seen = std::max(0.0, cosine) + std::max(0.0, sine * towards_camera[std::size_t(column)]);
-            const double b = brightness(texels(row, column));
+            const double b = channel_sum(texels(row, column));
             sums += sine * seen * Vec3{1, b, b * b};
         }
     }
@@ -37,23 +36,6 @@ void note_uneven_light(const EnvironmentMap& light, std::size_t samples) {
     print_note("note: --known light models this light");
 }
 
-// W_j. Not by cosine_rule, which students write: assignment 3.1 prints these numbers before that.
-static double weight_in_picture(const QuadratureRule& rule, std::size_t j) {
-    return rule.weights[j] * (rule.knows_cosine ? 1 : rule.directions[j].y);
-}
-
-double white_brightness(const QuadratureRule& rule) {
-    double sum = 0;
-    for (std::size_t j = 0; j < rule.size(); ++j) sum += weight_in_picture(rule, j);
-    return sum / portable::pi;
-}
-
-double noise_gain(const QuadratureRule& rule) {
-    double squares = 0;
-    for (std::size_t j = 0; j < rule.size(); ++j) squares += weight_in_picture(rule, j) * weight_in_picture(rule, j);
-    return std::sqrt(3 * static_cast<double>(rule.size()) * squares) / (2 * portable::pi);
-}
-
 // On average over the shared rules, or over four fresh ones where pixels share none.
 void warn_of_weights(const PixelRules& rules) {
     SharedRules examined = rules.shared;
@@ -62,12 +44,12 @@ void warn_of_weights(const PixelRules& rules) {
         examined.push_back(rules.fresh_rule(random));
     }
     RootMeanSquare gain;
-    Statistics brightness;
+    Statistics white;
     for (const auto& rule : examined) {
         gain.add(noise_gain(*rule));
-        brightness.add(white_brightness(*rule));
+        white.add(white_brightness(*rule));
     }
-    const double excess = brightness.mean - 1;
+    const double excess = white.mean - 1;
     const double monte_carlo_error = 1 / std::sqrt(3 * static_cast<double>(rules.settings.samples));
     std::string harm;
     if (gain.value() > 2)
@@ -82,15 +64,15 @@ void warn_of_exposure(const Image& image, double exposure) {
     const auto brightest_channel = [](Colour pixel) { return std::max({pixel.x, pixel.y, pixel.z}); };
     const auto above_white = [&](Colour pixel) { return brightest_channel(pixel) > 1; };
     if (std::none_of(image.pixels.begin(), image.pixels.end(), above_white)) return;
-    std::vector<double> brightness;
-    for_each_hit(sphere_scene, {image.width, image.height},
-                 [&](int x, int y, const Hit&) { brightness.push_back(brightest_channel(image(x, y))); });
-    std::sort(brightness.begin(), brightness.end());
-    const std::size_t n = brightness.size();
-    if (n == 0 || brightness[n - 1 - n / 10] <= 1) return;
+    std::vector<double> brightest;
+    for_each_hit({image.width, image.height},
+                 [&](int x, int y, const Hit&) { brightest.push_back(brightest_channel(image(x, y))); });
+    std::sort(brightest.begin(), brightest.end());
+    const std::size_t n = brightest.size();
+    if (n == 0 || brightest[n - 1 - n / 10] <= 1) return;
     print_note(
         formatted("warning: more than a tenth of the objects' pixels is brighter than white; --exposure %.1f makes the "
                   "brightest hundredth white",
-                  exposure - portable::log(brightness[n - 1 - n / 100]) / portable::log(2)));
+                  exposure - portable::log(brightest[n - 1 - n / 100]) / portable::log(2)));
 }
 }  // namespace bmc

@@ -6,15 +6,6 @@
 #include "scene/pixel_rules.h"
 
 namespace bmc {
-// A picture takes the integral of L cos(theta), with the weights W_j of the cosine_rule. Two worlds show what they do.
-// A white world, L = 1, gets the brightness B = sum of W_j / pi in place of 1; the error of Monte Carlo is 1 / sqrt(3
-// N) there. In a world of noise the samples are independent, and the variance of the estimate is theirs times the sum
-// of W_j^2; for Monte Carlo this sum is 4 pi^2 / (3 N). The noise gain is the root of the ratio of both sums. Above 2,
-// weights of both signs cancel (Karvonen, Kanagawa & Sarkka, "On the positivity and magnitudes of Bayesian quadrature
-// weights", Statistics and Computing 2019), and pictures are usually worse than Monte Carlo's.
-double white_brightness(const QuadratureRule& rule);
-double noise_gain(const QuadratureRule& rule);
-
 // If this many samples in random directions miss this light, prints how uneven it is, and what cures that: if
 // c / sqrt(samples), about the error relative to the brightness, is above a half. c is the standard deviation of the
 // light over its mean, of what reaches the objects. A lamp that fills the fraction f of all directions, in a world that

@@ -52,12 +52,19 @@ struct Hit {
 // The first object that the ray meets.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray);
 
-// Calls f(x, y, hit) for each pixel that shows an object, row after row.
+// Calls f(x, y, hit) for each pixel that shows an object of the sphere scene, row after row.
 template <class Function>
-void for_each_hit(const Scene& scene, const Camera& camera, Function f) {
+void for_each_hit(const Camera& camera, Function f) {
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x)
-            if (const std::optional<Hit> hit = intersect(scene, camera.ray(x, y))) f(x, y, *hit);
+            if (const std::optional<Hit> hit = intersect(sphere_scene, camera.ray(x, y))) f(x, y, *hit);
+}
+
+// How many these are.
+inline double pixels_of_objects(const Camera& camera) {
+    double pixels = 0;
+    for_each_hit(camera, [&](int, int, const Hit&) { ++pixels; });
+    return pixels;
 }
 
 // Whether the object blocks the light that arrives from a direction at a point outside of it. A sphere does if its

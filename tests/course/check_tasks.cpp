@@ -47,7 +47,7 @@ void rule(const QuadratureRule& of, const Frame* frame = nullptr) {
     for (std::size_t i = 0; i < of.directions.size(); ++i)
         vector(formatted(frame ? "to_world(directions[%zu])" : "directions[%zu]", i),
                frame ? frame->to_world(of.directions[i]) : of.directions[i]);
-    value("knows_cosine", of.knows_cosine);
+    value("known", static_cast<int>(of.known));
 }
 
 void statistics(const std::string& what, const Statistics& of) {
@@ -76,8 +76,8 @@ void each_model(Function f) {
     const char* const words[] = {"Sobolev 1.5", "squared exponential 0.4", "known part cosine", "placement cosine"};
     for (ErrorSettings& model : models) model.noise = 3.1, model.length_scale = 0.4, model.seed = seed;
     models[1].covariance = CovarianceFamily::squared_exponential;
-    models[2].knows_cosine = true;
-    models[3].knows_cosine = false, models[3].placement = {PointSet::random, Density::cosine};
+    models[2].known = Known::cosine;
+    models[3].known = Known::nothing, models[3].placement = {PointSet::random, Density::cosine};
     for (const std::size_t n : sizes)
         for (std::size_t i = 0; i < std::size(models); ++i) {
             in = formatted("%s, noise 3.1, n = %zu: ", words[i], n);
@@ -180,9 +180,9 @@ std::map<std::string, std::function<void()>> all_checks() {
     check["add_mc_errors"] = [] { error_rows_of(7, 0); };
     check["add_bmc_errors"] = [] { error_rows_of(0, 5); };
     check["cosine_rule"] = [] {
-        for (const bool knows_cosine : {false, true}) {
-            in = formatted("known part %s: ", knows_cosine ? "cosine" : "nothing");
-            rule(cosine_rule({directions_of(9), numbers_of(9, 7), knows_cosine}));
+        for (const Known known : {Known::nothing, Known::cosine}) {
+            in = formatted("known part %s: ", name_of(known, known_names));
+            rule(cosine_rule({directions_of(9), numbers_of(9, 7), known}));
         }
     };
     check["reflected_radiance"] = [] {
@@ -190,10 +190,10 @@ std::map<std::string, std::function<void()>> all_checks() {
         const Numbers light = numbers_of(16 * 8 * 3, 6);
         for (std::size_t i = 0; i < 16 * 8; ++i)
             map.set(static_cast<int>(i % 16), static_cast<int>(i / 16), {light[i], light[128 + i], light[256 + i]});
-        for_each_hit(sphere_scene, {24, 24}, [&](int x, int y, const Hit& hit) {
+        for_each_hit({24, 24}, [&](int x, int y, const Hit& hit) {
             if ((x + y) % 5 != 0) return;
             const std::size_t n = x % 2 == 0 ? 9 : 40;
-            QuadratureRule of{directions_of(n), numbers_of(n, 7), true};
+            QuadratureRule of{directions_of(n), numbers_of(n, 7), Known::cosine};
             of.weights[2] = -0.2;
             Frame frame(hit.normal);
             if (y % 2 == 0) frame.tangent = -1 * frame.tangent, frame.bitangent = -1 * frame.bitangent;  // half a turn

@@ -187,10 +187,10 @@ inline bmc::Image image_of(const Content& picture) {
 // The errors of a picture of the sphere scene over the pixels that show an object, in words.
 inline std::string object_errors(const Content& reference, const Content& actual) {
     const bmc::ImageError error = bmc::image_error(image_of(actual), image_of(reference));
-    if (!std::isfinite(error.rmse * error.brightness)) return "no light is reflected by objects";
+    if (!std::isfinite(error.rmse * error.bias)) return "no light is reflected by objects";
     return bmc::formatted(
         "over objects the RMSE is %.3g, the brightness is off by %+.1f %%, and neighbours' errors correlate by %.2f",
-        error.rmse, 100 * error.brightness, error.correlation);
+        error.rmse, 100 * error.bias, error.correlation);
 }
 
 // In words; empty if nothing differs: of texts no byte, of pictures no number. With a tolerance (which codes do not

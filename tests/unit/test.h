@@ -164,13 +164,13 @@ inline EnvironmentMap sunny_map() {  // dim, with a sun of 6 x 6 degrees
 }
 
 inline RenderSettings small_picture(Method method, std::size_t samples = 10, int size = 12, Placement placement = {},
-                                    bool knows_cosine = false) {
+                                    Known known = Known::nothing) {
     RenderSettings settings;
     settings.method = method;
     settings.samples = samples;
     settings.pool = 3;
     settings.width = settings.height = size;
     settings.placement = placement;
-    settings.knows_cosine = knows_cosine;
+    settings.known = known;
     return settings;
 }

@@ -1,21 +1,18 @@
 #include "scene/advice.h"
 
-#include "light/texels_on_sphere.h"
 #include "test.h"
 
 TEST_CASE("more than a tenth of the objects' pixels above white gives a warning, of the brightest hundredth or pixel") {
     const auto warning = [](int size, double exposure, const std::function<double(double)>& light) {
         Image image(size, size);  // place: from 0 to 1 among the pixels of objects
-        double seen = 0, objects = 0;
-        for_each_hit(sphere_scene, {size, size}, [&](int, int, const Hit&) { ++objects; });
-        for_each_hit(sphere_scene, {size, size}, [&](int x, int y, const Hit&) {
-            image(x, y) = {0, light(++seen / objects), 0};
-        });
+        const double objects = pixels_of_objects({size, size});
+        double seen = 0;
+        for_each_hit({size, size}, [&](int x, int y, const Hit&) { image(x, y) = {0, light(++seen / objects), 0}; });
         return stderr_of([&] { warn_of_exposure(image, exposure); });
     };
     CHECK(warning(50, 0, [](double) { return 1; }) == "");
-    double n = 0;  // the rank of a pixel from the darkest, from 1 to n, is n times its place
-    for_each_hit(sphere_scene, {200, 200}, [&](int, int, const Hit&) { ++n; });
+    const double n =
+        pixels_of_objects({200, 200});  // the rank of a pixel from the darkest, 1 to n, is n times its place
     const double tenth = std::floor(n / 10), hundredth = std::floor(n / 100);
     CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth + 0.5 ? 8 : 0; }) == "");
     CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth - 0.5 ? 8 : 0; }) ==
@@ -29,10 +26,10 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
 // With cos(theta), the weights are pi times 2, -1.6 and 0.5 if nothing is known.
 TEST_CASE("white brightness and noise gain are those of the weights in a picture") {
     const std::vector<Vec3> directions{{0, 1, 0}, {0.6, 0.8, 0}, {std::sqrt(0.75), 0.5, 0}};
-    const QuadratureRule rule{directions, {2 * pi, -2 * pi, pi}, false},
-        cosine{directions, {2 * pi, -1.6 * pi, 0.5 * pi}, true};
+    const QuadratureRule rule{directions, {2 * pi, -2 * pi, pi}, Known::nothing},
+        cosine{directions, {2 * pi, -1.6 * pi, 0.5 * pi}, Known::cosine};
     for (const QuadratureRule& each : {rule, cosine}) {
-        CAPTURE(each.knows_cosine);
+        CAPTURE(name_of(each.known, known_names));
         CHECK(relative(white_brightness(each), 0.9) < 1e-14);
         CHECK(relative(noise_gain(each), std::sqrt((4 + 2.56 + 0.25) * 9 / 4)) < 1e-14);
     }

@@ -1,4 +1,6 @@
 #include "command_line/command_line.h"
+
+#include "base/terminal.h"
 #include "test.h"
 
 struct Values {

@@ -66,7 +66,7 @@ TEST_CASE("the same numbers in another form are the same picture") {
 TEST_CASE("over objects, pictures of any kind have errors, and the background has none") {
     Image truth(40, 40), image(40, 40);
     for (Colour& pixel : image.pixels) pixel = {7, 7, 7};  // of the background
-    for_each_hit(sphere_scene, {40, 40}, [&](int x, int y, const Hit&) {
+    for_each_hit({40, 40}, [&](int x, int y, const Hit&) {
         truth(x, y) = {0.5, 0.5, 0.5};  // each column of the right half mirrors one of the other parity
         image(x, y) = (x % 2 == 0 ? 1.3 : 1.1) * truth(x, y);
     });

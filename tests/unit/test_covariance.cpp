@@ -30,10 +30,10 @@ TEST_CASE("z and zz agree with 20 digits of quadrature to 2e-15, or 1e-14 at l =
     for (std::size_t row = 1; row < rows.size(); ++row) {
         const std::string name = rows[row][0];
         REQUIRE((name == "sobolev" || name == "sobolev_cosine" || name == "squared_exponential"));
-        const bool knows_cosine = name == "sobolev_cosine";
+        const Known known = name == "sobolev_cosine" ? Known::cosine : Known::nothing;
         const double parameter = std::stod(rows[row][1]);
         const auto covariance =
-            make_covariance(name == "squared_exponential" ? squared_exponential : sobolev, parameter, knows_cosine);
+            make_covariance(name == "squared_exponential" ? squared_exponential : sobolev, parameter, known);
         for (std::size_t i = 2; i < 2 + 12; ++i) {
             const double ours = rows[0][i] == "zz" ? covariance->zz() : covariance->z(std::stod(rows[0][i]));
             INFO(name, " ", parameter, ": ", rows[0][i]);
@@ -52,6 +52,6 @@ TEST_CASE("parameters and known parts that a covariance cannot have are refused"
     for (const CovarianceFamily family : {sobolev, squared_exponential}) {
         for (const double cosine : {-1e-300, std::nextafter(1, 2), nan_value})
             CHECK_THROWS_AS_MESSAGE(make_covariance(family, 1.4)->z(cosine), std::invalid_argument, cosine);
-        CHECK_THROWS_AS(make_covariance(family, 1.4, true), std::invalid_argument);
+        CHECK_THROWS_AS(make_covariance(family, 1.4, Known::cosine), std::invalid_argument);
     }
 }

@@ -1,4 +1,4 @@
-#include "light/texels_on_sphere.h"
+#include "light/environment.h"
 #include "test.h"
 
 TEST_CASE("a direction meets the texel at the floor of column and row") {

@@ -3,9 +3,9 @@
 
 // Q = [a b; b a], whose inverse is [a -b; -b a] / (a^2 - b^2). The tolerances are for differences of like numbers.
 TEST_CASE("weights, error and inverse for two samples are those of a 2 x 2 matrix") {
-    for (const bool knows_cosine : {false, true}) {
-        CAPTURE(knows_cosine);
-        const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, knows_cosine);
+    for (const Known known : {Known::nothing, Known::cosine}) {
+        CAPTURE(name_of(known, known_names));
+        const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, known);
         const Covariance& k = *covariance;
         const GaussianProcess process(k, 0.1, {{0, 1.0000001, 0}, {0.6, 0.8, 0}});  // as rounding may lengthen it
         const double r = length(process.directions[0] - Vec3{0.6, 0.8, 0}), a = 8.0 / 3 + 0.01, b = 8.0 / 3 - r;

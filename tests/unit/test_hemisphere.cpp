@@ -66,7 +66,7 @@ TEST_CASE("stratified directions have a random point in each of n cells of equal
 
 // V of equal weights.
 static double variance_of_equal_weights(const Covariance& covariance, const std::vector<Vec3>& directions) {
-    const double w = known_integral(covariance.knows_cosine()) / static_cast<double>(directions.size());
+    const double w = known_integral(covariance.known) / static_cast<double>(directions.size());
     double v = covariance.zz();
     for (const double z : z_of(covariance, directions)) v -= 2 * w * z;
     for (const Vec3& a : directions)
@@ -78,7 +78,7 @@ TEST_CASE(
     "equal weights have a smaller worst-case error on optimised directions than on a lattice, the same each time") {
     for (const auto& [n, most] : {std::pair(std::size_t{1}, 1.01), {2, 0.93}, {7, 0.92}, {40, 0.96}, {97, 0.975}})
         for (const Density density : {Density::uniform, Density::cosine}) {
-            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, density == Density::cosine);
+            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, known_of(density));
             const std::vector<Vec3> directions = optimised_directions(n, density);
             const double v = variance_of_equal_weights(*covariance, directions);
             CAPTURE(directions.size());
@@ -93,7 +93,7 @@ TEST_CASE(
 TEST_CASE("all rotations of optimised directions together have less than a hundredth of V") {
     for (const std::size_t n : {5u, 10u, 40u})
         for (const Density density : {Density::uniform, Density::cosine}) {
-            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, density == Density::cosine);
+            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, known_of(density));
             const std::vector<Vec3> directions = optimised_directions(n, density);
             std::vector<Vec3> rotations;
             for (int i = 0; i < 64; ++i)

@@ -28,6 +28,6 @@ TEST_CASE("an integrand's samples are over the known part, and a rule sums them"
     const auto integrand = [](Vec3 w) { return 2 + w.x; };
     const std::vector<Vec3> directions{{0.6, 0.8, 0}, {0, 0.5, 0}, {0, 0x1p-40, 0}};  // the last at the horizon
     CHECK(unknown_part(integrand, directions) == std::vector<double>{2.6, 2, 2});
-    CHECK(unknown_part(integrand, directions, true) == std::vector<double>{2.6 / 0.8, 4, 0x1p41});
-    CHECK(relative(estimate({directions, {10, 100, 0}, true}, integrand), 432.5) < 1e-15);
+    CHECK(unknown_part(integrand, directions, Known::cosine) == std::vector<double>{2.6 / 0.8, 4, 0x1p41});
+    CHECK(relative(estimate({directions, {10, 100, 0}, Known::cosine}, integrand), 432.5) < 1e-15);
 }

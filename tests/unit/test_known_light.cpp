@@ -1,8 +1,7 @@
-#include "scene/known_light.h"
+#include "known_light/known_light.h"
 
 #include "experiments/picture_cost.h"
 #include "experiments/reports.h"
-#include "light/texels_on_sphere.h"
 #include "test.h"
 
 #include <map>
@@ -15,8 +14,6 @@ static EnvironmentMap linear_map(int columns, int rows) {
     });
 }
 
-static Colour at(const EnvironmentMap& map, Vec3 d) { return map.interpolated(map.column(d.x, d.z), map.row(d.y)); }
-
 // The integral of (1 + w.slope) cos(theta) is pi + (2 pi / 3) n.slope.
 TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any size of map") {
     const std::vector<Vec3> normals = all_around(100);
@@ -26,9 +23,9 @@ TEST_CASE("the irradiance is the integral of L cos(theta) within 1e-3, for any s
     const EnvironmentMap linear = irradiance_of(linear_map(300, 150)), texel = irradiance_of(even_map(1, 1, 1));
     for (const Vec3& n : normals) {
         CAPTURE(n);
-        CHECK(std::fabs(at(linear, n).x - (pi + 2 * pi / 3 * dot(n, slope))) < 1e-3 * 5 * pi / 3);
-        CHECK(relative(at(linear, n).y, pi) < 2e-3);
-        CHECK(relative(at(texel, n).z, pi) < 2e-3);
+        CHECK(std::fabs(linear.interpolated(n).x - (pi + 2 * pi / 3 * dot(n, slope))) < 1e-3 * 5 * pi / 3);
+        CHECK(relative(linear.interpolated(n).y, pi) < 2e-3);
+        CHECK(relative(texel.interpolated(n).z, pi) < 2e-3);
     }
 }
 
@@ -46,17 +43,17 @@ TEST_CASE("a cone has the light around its direction, weighted by a tent, within
 
 TEST_CASE("cells and points part the light of the map, without loss") {
     const EnvironmentMap map = sunny_map();
-    const double limit = 10 * mean_over_directions(map, brightness);
+    const double limit = 10 * mean_over_directions(map, channel_sum);
     Colour sum;
     for (const Lamp& cell : cells_of_light(map, limit, 5)) sum += cell.light;
     const std::vector<Lamp> points = points_of_light(map, limit, 77);
     CHECK(points.size() == 77);
     for (const Lamp& point : points) {
         sum += point.light;
-        CHECK(relative(brightness(point.light), brightness(points[0].light)) < 1e-12);
-        CHECK(brightness(map.radiance(point.direction)) > limit);
+        CHECK(relative(channel_sum(point.light), channel_sum(points[0].light)) < 1e-12);
+        CHECK(channel_sum(map.radiance(point.direction)) > limit);
     }
-    CHECK(relative(brightness(sum), 4 * pi * mean_over_directions(map, brightness)) < 1e-12);
+    CHECK(relative(channel_sum(sum), 4 * pi * mean_over_directions(map, channel_sum)) < 1e-12);
     CHECK(points_of_light(even_map(4, 4, 1), 31, 77).empty());
 }
 
@@ -82,35 +79,33 @@ TEST_CASE("a fraction is visible over all light, from 0 to 1, and 1 where there 
     CHECK(fraction({0, -1, 0}, {0, 1, 1}) == Vec3{1, 0, 0});
 }
 
+static Image picture_of(const EnvironmentMap& map, const RenderSettings& settings) {
+    const KnownLight light = known_light(map, settings.samples, 2);
+    return render(map, settings, known_light_shader(light, settings));
+}
+
 // Of three rays the sphere often stops all: under an even light in 2 % of the pixels.
 TEST_CASE("no point is black under a light that comes from everywhere") {
     const RenderSettings settings = small_picture(Method::mc, 3, 100, {PointSet::optimised, Density::cosine});
-    const Shader shader = known_light_shader(even_map(2, 2, 1), settings);
+    const Image image = picture_of(even_map(2, 2, 1), settings);
     double least = infinity;
-    for_each_hit(sphere_scene, {100, 100},
-                 [&](int x, int y, const Hit& hit) { least = std::min(least, shader(hit, x, y).y); });
+    for_each_hit({100, 100}, [&](int x, int y, const Hit&) { least = std::min(least, image(x, y).y); });
     CHECK(least > 0.01);
 }
 
-// Points of equal light, and no quotient.
-static Image truth_of(const EnvironmentMap& map, const RenderSettings& settings) {
-    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 15);
-    return render(map, settings, [&](const Hit& hit, int, int) {
-        Colour sum;
-        for (const auto& [direction, light] : lamps)
-            if (!is_shadowed(sphere_scene, hit, direction)) sum += std::max(0.0, dot(hit.normal, direction)) * light;
-        return 1 / pi * (hit.albedo * sum);
-    });
-}
-
 TEST_CASE(
-    "a known light has six tenths of the error of an unknown one, for any number of samples, and under a sun less") {
+    "a known light has six tenths of the error of an unknown one, with any number of samples, and less with a sun") {
     for (const std::size_t samples : {1u, 2u, 5u, 40u}) {
         CAPTURE(samples);
         const RenderSettings settings = small_picture(Method::mc, samples, 24, {PointSet::optimised, Density::cosine});
         for (const EnvironmentMap& map : {coloured_map(16, 9), sunny_map()}) {
-            const Image truth = truth_of(map, settings);
-            const double known = image_error(render(map, settings, known_light_shader(map, settings)), truth).rmse;
+            const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 15);
+            const Image truth = render(map, settings, [&](const Hit& hit, int, int) {
+                Arriving sum;
+                for (const Lamp& lamp : lamps) sum.add(hit, lamp);
+                return 1 / pi * (hit.albedo * sum.visible);
+            });
+            const double known = image_error(picture_of(map, settings), truth).rmse;
             const double unknown =
                 image_error(render(map, settings, environment_shader(map, PixelRules(settings))), truth).rmse;
             CHECK(known < (map.width == 16 ? 0.6 : 0.15) * unknown);
@@ -120,14 +115,12 @@ TEST_CASE(
 
 TEST_CASE("of two known parts the last one counts") {
     ModelSettings settings;
-    bool light_known = false;
     Arguments arguments;
-    add_model_options(arguments, settings, &light_known);
-    parse({"--known=light"}, arguments);
-    CHECK(light_known);
-    parse({"--known=light", "--known=cosine"}, arguments);
-    CHECK(*settings.knows_cosine);
-    CHECK(!light_known);
+    add_model_options(arguments, settings, {"nothing", "cosine", "light"});
+    parse({"--known=nothing", "--known=light"}, arguments);
+    CHECK(arguments.given["known"] == "light");
+    CHECK(*settings.known == Known::cosine);
+    CHECK_THROWS_AS(parse({"--known=dark"}, arguments), std::invalid_argument);
 }
 
 // Under a sun and a sky, of which about half of the samples see one each.

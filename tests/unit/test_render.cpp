@@ -11,7 +11,7 @@ TEST_CASE("reflected light is (albedo / pi) sum of weight V L, to the last bit")
                                                : cosine_rule(monte_carlo_rule(some_directions(n)));
             INFO("n, map.width: ", n, ", ", map.width);
             std::map<Object, int> partly;
-            for_each_hit(sphere_scene, {9, 9}, [&](int x, int y, const Hit& hit) {
+            for_each_hit({9, 9}, [&](int x, int y, const Hit& hit) {
                 const Frame frame = Frame(hit.normal).rotated(0.1 * x + 0.01 * y);
                 Colour sum;
                 std::size_t lit = 0;

@@ -1,7 +1,9 @@
-#include "experiments/stability.h"
-
 #include "quadrature/gaussian_process.h"
 #include "test.h"
+
+namespace bmc {
+std::vector<Vec3> sample_set(std::string_view name, std::size_t n);  // of experiments/stability.cpp
+}  // namespace bmc
 
 // A claim of d digits: no error of a weight exceeds 10^-d of the largest weight.
 TEST_CASE("the digits that stability calls right are right, held against weights of 128 bits") {

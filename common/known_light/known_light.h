@@ -35,6 +35,24 @@ EnvironmentMap light_around(const std::vector<Lamp>& lamps, double cosine, int r
 // visible / all for each colour, in [0, 1]; 1 for a colour that no ray carries.
 Colour fraction(Colour visible, Colour all);
 
-// The colour of each point of a picture. The map may go. Throws what the Gaussian processes throw.
-Shader known_light_shader(const EnvironmentMap& map, RenderSettings settings);
+// Sums of light * max(normal.direction, 0) over lamps: of those that the other object leaves visible, and of all.
+struct Arriving {
+    Colour visible = {}, all = {};
+    void add(const Hit& hit, const Lamp& lamp);
+};
+
+// What is known of a light before a ray is traced.
+struct KnownLight {
+    std::vector<Lamp> sun;                          // points of equal light; none where no texel is so bright
+    EnvironmentMap sky_irradiance, sun_irradiance;  // tables of E(n)
+    EnvironmentMap around;                          // the sky in a cone around each direction
+    double sun_deviation;                           // of v under the sun, if it is 1 under the sky
+};
+
+// That of this map, for pictures with so many samples. The map may go.
+KnownLight known_light(const EnvironmentMap& map, std::size_t samples, std::size_t threads);
+
+// L_o, linear RGB, with the samples of these settings. The light must outlive it. Throws what the Gaussian processes
+// throw.
+Shader known_light_shader(const KnownLight& light, RenderSettings settings);
 }  // namespace bmc
