@@ -132,8 +132,9 @@ void Arguments::take(const std::string& file) {
 
 double parse_real(const std::string& text, double low, double high) {
     char* end = nullptr;
+    errno = 0;  // becomes ERANGE where a number is taken for 0, or loses digits
     const double value = std::strtod(text.c_str(), &end);
-    if (end != text.c_str() && *end == '\0' && value >= low && value <= high) return value;
+    if (end != text.c_str() && *end == '\0' && value >= low && value <= high && errno == 0) return value;
     throw std::invalid_argument("'" + text + formatted("' is not a number from %g to %g", low, high));
 }
 
@@ -146,13 +147,14 @@ std::uint64_t parse_integer(const std::string& text, std::uint64_t low, std::uin
                                 std::to_string(high));
 }
 
-int run_program(const char* name, const std::function<std::string()>& body) {
+int run_program(const char* name, std::string (*run)(const std::vector<std::string>& words),
+                const std::vector<std::string>& words) {
     program_name = name;
     keep_all_bytes();
     try {
         std::string output;
         try {
-            output = body();
+            output = run(words);
         } catch (const Help& help) {
             output = help.text;
         }

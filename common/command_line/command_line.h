@@ -89,14 +89,9 @@ void add_model_options(Arguments& arguments, ModelSettings& settings,
 // Adds the option samples, which takes a list such as 10,20,40; each number is at most max_process_samples.
 void add_sample_list(Arguments& arguments, std::vector<std::size_t>& samples);
 
-struct Command {
-    std::string name;  // empty: what the workbench does without a command
-    std::string summary;
-    std::string (*report)(Arguments&);  // what it prints; throws std::invalid_argument if values do not fit
-};
-
-// Prints to stdout what body returns, or the help that it throws, all of it or nothing. Returns the exit status: 0, 2
-// after std::invalid_argument, 1 after any other exception. An exception becomes one line on stderr, which begins with
-// the program's name.
-int run_program(const char* name, const std::function<std::string()>& body);
+// Prints to stdout what run returns for the words, or the help that it throws, all of it or nothing. Returns the exit
+// status: 0, 2 after std::invalid_argument, 1 after any other exception. An exception becomes one line on stderr, which
+// begins with the program's name.
+int run_program(const char* name, std::string (*run)(const std::vector<std::string>& words),
+                const std::vector<std::string>& words);
 }  // namespace bmc

@@ -50,7 +50,7 @@ TEST_CASE("a mistake in an option is a message that names it") {
 
 TEST_CASE("numbers are read entirely or not at all") {
     for (const char* text : {"0", "0.25", "1"}) CHECK(parse_real(text, 0, 1) == std::atof(text));
-    for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "1e400", "-1", "2", "0,5"})
+    for (const char* text : {"", "x", "1x", "1 ", "nan", "inf", "1e400", "1e-400", "-1", "2", "0,5"})
         CHECK_THROWS_AS_MESSAGE(parse_real(text, 0, 1), std::invalid_argument, text);
     for (const std::uint64_t whole : {std::uint64_t{1}, UINT64_MAX})
         CHECK(parse_integer(std::to_string(whole), 1, whole) == whole);
