@@ -45,7 +45,7 @@ $(SEEN): $(BUILD)/%.seen: %.cpp $(BUILD)/settings
 # Three parts, which make runs side by side.
 test: unit programs sources
 unit: $(BUILD)/unit_tests
-	$(BUILD)/unit_tests
+	timeout 300 $(BUILD)/unit_tests
 programs sources: all $(BUILD)/compare
 	BUILD=$(BUILD) BIN=$(BIN) bash tests/output/run $@
 sources: $(SEEN)
