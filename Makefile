@@ -10,6 +10,9 @@ BIN = .
 # A program is made of an object of its own and of those of common/. It is linked again when a source goes, too: the
 # source's folder has changed.
 COMMON = $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard common/*/*.cpp))
+# For make a blank ends a name, and copies have one: render 2.cpp, render (copy).cpp.
+BLANK := $(shell find common $(wildcard tests) -path '* *.cpp')
+$(if $(BLANK),$(error a file that is compiled has no blank in its name; rename or remove $(BLANK)))
 .PHONY: always all clean help
 all: $(BIN)/workbench $(BIN)/renderer
 $(BIN)/workbench $(BIN)/renderer: $(BIN)/%: $(BUILD)/%.o $(COMMON) $(wildcard common/*/)
