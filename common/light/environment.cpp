@@ -2,6 +2,7 @@
 
 #include "base/formatted.h"
 #include "base/input.h"
+#include "base/progress.h"
 
 #include <algorithm>
 #include <array>
@@ -26,8 +27,9 @@ Colour EnvironmentMap::bilinear_radiance(Vec3 direction) const {
 
 using Rgbe = std::array<unsigned char, 4>;
 
-static std::runtime_error refusal(const std::string& problem) {
-    return std::runtime_error(problem + ": a light is a Radiance picture as `oiiotool in -o out.hdr` writes it");
+static std::runtime_error refusal(const std::string& problem, const std::string& options = "") {
+    return std::runtime_error(problem + ": a light is a Radiance picture as `oiiotool in" + options +
+                              " -o out.hdr` writes it");
 }
 
 // Without the white space at its end.
@@ -44,6 +46,15 @@ struct Header {
     double exposure = 1;  // the values of the file are so many times the true ones
 };
 
+// Of 0, which some programs write, there would be no light.
+static double exposure_of(const std::string& value) {
+    char* end = nullptr;
+    const double exposure = std::strtod(value.c_str(), &end);
+    if (exposure != 0 || end == value.c_str()) return exposure;
+    print_note("note: the light's EXPOSURE=0 counts as 1");
+    return 1;
+}
+
 // Other variables do not count, as for Radiance itself.
 static Header read_header(std::istream& in) {
     in.exceptions(std::ios::badbit);  // an error of reading does not end the file
@@ -54,21 +65,22 @@ static Header read_header(std::istream& in) {
     for (std::string line = header_line(in); !line.empty(); line = header_line(in)) {
         if (++lines > 1000) throw std::runtime_error("the header has more than 1000 lines");
         const std::string name = line.substr(0, line.find('=') + 1), value = line.substr(name.size());
-        if (name == "EXPOSURE=") header.exposure *= std::strtod(value.c_str(), nullptr);
+        if (name == "EXPOSURE=") header.exposure *= exposure_of(value);
         if (name == "FORMAT=" && value.find("32-bit_rle_rgbe") == value.npos) throw refusal("'" + line + "'");
     }
     if (!(header.exposure >= 1e-6 && header.exposure <= 1e6))
         throw std::runtime_error("the product of the EXPOSURE lines is not from 1e-6 to 1e6");
+    const std::string divided =  // by what oiiotool drops
+        header.exposure == 1 ? "" : formatted(" --divc %.9g", header.exposure);
     const std::string line = header_line(in);
     int end = 0;
     std::sscanf(line.c_str(), "-Y %9d +X %9d%n", &header.height, &header.width, &end);
     if (end != static_cast<int>(line.size()) || header.height < 1 || header.width < 1)
-        throw refusal("resolution line '" + line + "' is not '-Y height +X width'");
+        throw refusal("resolution line '" + line + "' is not '-Y height +X width'", " --reorient" + divided);
     if (std::int64_t{header.height} * header.width > EnvironmentMap::max_texels)
         throw std::runtime_error(
-            formatted("%d x %d texels are more than %d; `oiiotool in --resize 4096x0 -o out.hdr` "
-                      "makes fewer",
-                      header.width, header.height, EnvironmentMap::max_texels));
+            formatted("%d x %d texels are more than %d; `oiiotool in%s --resize 4096x0 -o out.hdr` makes fewer",
+                      header.width, header.height, EnvironmentMap::max_texels, divided.c_str()));
     return header;
 }
 

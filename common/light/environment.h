@@ -124,8 +124,8 @@ EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads = 1);
 
 // Reads a Radiance picture (.hdr; Ward, "Real Pixels", Graphics Gems II, 1991) from a binary stream, of the usual kind:
 // 32-bit_rle_rgbe, rows from the top left, flat or run-length coded. Linear RGB radiance = mantissa * 2^(exponent -
-// 136), exactly, divided by the product of the EXPOSURE lines. Memory grows with what the file holds. Throws
-// std::runtime_error: one line with the problem, and what converts a picture of another kind.
+// 136), exactly, divided by the product of the EXPOSURE lines (0 counts as 1, with a note). Memory grows with what the
+// file holds. Throws std::runtime_error: one line with the problem, and what converts a picture of another kind.
 EnvironmentMap read_radiance_hdr(std::istream& in);
 
 std::vector<std::string> light_names();

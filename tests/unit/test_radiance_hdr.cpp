@@ -44,8 +44,11 @@ TEST_CASE("a flat picture decodes to mantissa * 2^(exponent - 136), or 0 for exp
 TEST_CASE("a file's radiances are the true ones times all of its exposures") {
     CHECK(with_lines("EXPOSURE=2\nEXPOSURE= 0.25") == std::vector<double>{2, 4, 6});
     CHECK(with_lines("EXPOSURE=.5e0, once\nCOLORCORR=1 0.5 2\nPRIMARIES=1 1") == std::vector<double>{2, 4, 6});
-    for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1e7", "EXPOSURE=x 1",
-                                   "EXPOSURE=", "EXPOSURE=1e-4\nEXPOSURE=1e-4"})
+    CHECK(stderr_of([] {
+              CHECK(with_lines("EXPOSURE=2\nEXPOSURE= 0.0") == std::vector<double>{0.5, 1, 1.5});
+          }) == Containing{": note: the light's EXPOSURE=0 counts as 1\n"});
+    for (const std::string line :
+         {"EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=1e7", "EXPOSURE=x 1", "EXPOSURE=", "EXPOSURE=1e-4\nEXPOSURE=1e-4"})
         CHECK(message_of([&] { with_lines(line); }) == "the product of the EXPOSURE lines is not from 1e-6 to 1e6");
 }
 
@@ -91,9 +94,11 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
     for (const std::string size :
          {"-Y 1 +X", "-Y 1 +X 1 2", "-Y 0 +X 1", "-Y 1 +X 0", "-Y 1 +X 12px", "-Y 4294967299 +X 1", "-Y 1 +Y 1",
           "-Y 1 -X 1", "+Y 1 +X 1", "+X 1 -Y 1", "-Z 1 +X 1", "*Y 1 +X 1"})
-        refused(hdr(size, ""), "resolution line '" + size + "' is not '-Y height +X width'" + what_is_read);
+        refused(hdr(size, ""),
+                "resolution line '" + size +
+                    "' is not '-Y height +X width': a light is a Radiance picture as `oiiotool in --reorient -o");
     for (const std::string size : {"-Y 8193 +X 8192", "-Y 65536 +X 65536"})
-        refused(hdr(size, ""), "texels are more than 67108864; `oiiotool in --resize 4096x0 -o out.hdr` makes fewer");
+        refused(hdr(size, "", "EXPOSURE=4"), "67108864; `oiiotool in --divc 4 --resize 4096x0 -o out.hdr` makes fewer");
     const auto row_refused = [&](const std::vector<int>& bytes, const std::string& reason) {
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
     };
