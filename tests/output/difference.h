@@ -184,13 +184,28 @@ inline bmc::Image image_of(const Content& picture) {
     return image;
 }
 
-// The errors of a picture of the sphere scene over the pixels that show an object, in words.
+// The errors of a picture of the sphere scene over the pixels that show an object, in words. Pixels that are no number
+// in one of both are told and left out: they become black in both, and the mean square is over the others.
 inline std::string object_errors(const Content& reference, const Content& actual) {
-    const bmc::ImageError error = bmc::image_error(image_of(actual), image_of(reference));
-    if (!std::isfinite(error.rmse * error.bias)) return "no light is reflected by objects";
-    return bmc::formatted(
-        "over objects the RMSE is %.3g, the brightness is off by %+.1f %%, and neighbours' errors correlate by %.2f",
-        error.rmse, 100 * error.bias, error.correlation);
+    bmc::Image truth = image_of(reference), image = image_of(actual);
+    double objects = 0, lost = 0;
+    std::string first;
+    bmc::for_each_hit({image.width, image.height}, [&](int x, int y, const bmc::Hit&) {
+        ++objects;
+        if (std::isfinite(bmc::luminance(image(x, y) - truth(x, y)))) return;
+        image(x, y) = truth(x, y) = {};
+        if (lost++ == 0) first = bmc::formatted("(x %d, y %d)", x, y);
+    });
+    const bmc::ImageError error = bmc::image_error(image, truth);
+    const bool lit = std::isfinite(error.rmse * error.bias);
+    std::string text = "no light is reflected by objects";
+    if (lit)
+        text = bmc::formatted("over objects the RMSE is %.3g, the brightness is off by %+.1f %%",
+                              error.rmse * std::sqrt(objects / (objects - lost)), 100 * error.bias);
+    if (lost > 0)
+        return text + bmc::formatted(", without %g of %g pixels that are no numbers, the first ", lost, objects) +
+               first;
+    return lit ? text + bmc::formatted(", and neighbours' errors correlate by %.2f", error.correlation) : text;
 }
 
 // In words; empty if nothing differs: of texts no byte, of pictures no number. With a tolerance (which codes do not

@@ -78,6 +78,10 @@ TEST_CASE("over objects, pictures of any kind have errors, and the background ha
     CHECK(difference(encode(Image(40, 40), Format::pfm), found, 0, true) == "no light is reflected by objects");
     CHECK(difference(expected, encode(Image(40, 20), Format::pfm), 0, true) ==
           "reference: 40 x 40, floats, here: 40 x 20, floats");
+    std::fill_n(image.pixels.begin(), 800, Colour{1, nan_value, 1});  // the upper half
+    CHECK(difference(expected, encode(image, Format::pfm), 0, true) ==
+          "over objects the RMSE is 0.112, the brightness is off by +20.0 %, without 362 of 1064 pixels that are no "
+          "numbers, the first (x 16, y 5)");
     CHECK(difference(table, found, 0, true) == "reference: no picture, here: 40 x 40, floats");
 }
 
