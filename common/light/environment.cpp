@@ -2,7 +2,7 @@
 
 #include "base/formatted.h"
 #include "base/input.h"
-#include "base/progress.h"
+#include "base/terminal.h"
 
 #include <algorithm>
 #include <array>
