@@ -68,11 +68,11 @@ static std::string rule_costs() {
                usual.width, usual.height, pixels, usual.samples, pixels * usual_seconds, pixels * sum_seconds / 60);
 }
 
-// What a light gives to the pictures of all methods and seeds.
+// What the methods know of a light: its map, points of equal light, and the tables for a number of samples.
 struct Light {
-    const EnvironmentMap map;
-    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 16);
-    const EnvironmentMap irradiance = light_around(cells_of_light(map, DBL_MAX, 64), 0, 128, 0, processors());
+    const EnvironmentMap& map;
+    const std::vector<Lamp>& lamps;
+    const KnownLight known;
 };
 
 // What renderers do with a light that they know: half of the samples are drawn in proportion to the light and
@@ -98,25 +98,14 @@ static Shader mis_shader(const Light& light, bool as_ratio, RenderSettings setti
             const double drawn = by_light * channel_sum(radiance) / (points * channel_sum(light.lamps[0].light));
             if (cosine > 0) sum.add(hit, {direction, 1 / (drawn + by_cosine * cosine / pi) * radiance});
         }
-        const Colour irradiance =
-            as_ratio ? light.irradiance.interpolated(hit.normal) * fraction(sum.visible, sum.all) : sum.visible;
-        return 1 / pi * (hit.albedo * irradiance);
+        if (!as_ratio) return 1 / pi * (hit.albedo * sum.visible);
+        return 1 / pi * (hit.albedo * fraction(sum.visible, sum.all) * light.known.irradiance(hit.normal));
     };
-}
-
-// By rays to many lamps.
-static Image true_picture(const EnvironmentMap& map, const RenderSettings& settings) {
-    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 15);
-    return render(map, settings, [&](const Hit& hit, int, int) {
-        Arriving sum;
-        for (const Lamp& lamp : lamps) sum.add(hit, lamp);
-        return 1 / pi * (hit.albedo * sum.visible);
-    });
 }
 
 // All methods that are compared, with these settings; classic Monte Carlo first, and in the end those that know the
 // light.
-static std::vector<PictureMethod> compared_methods(const Light& light, const KnownLight& known, RenderSettings s) {
+static std::vector<PictureMethod> compared_methods(const Light& light, RenderSettings s) {
     std::vector<PictureMethod> methods;
     const auto compare = [&](Method method, std::size_t pool, PointSet set, Density density) {
         s.method = method;
@@ -141,7 +130,7 @@ static std::vector<PictureMethod> compared_methods(const Light& light, const Kno
     methods.push_back({"mis", "light", s, [&](const auto& each) { return mis_shader(light, false, each); }});
     methods.push_back({"mis-ratio", "light", s, [&](const auto& each) { return mis_shader(light, true, each); }});
     s.method = Method::pool;
-    methods.push_back({"pool", "light", s, [&](const auto& each) { return known_light_shader(known, each); }});
+    methods.push_back({"pool", "light", s, [&](const auto& each) { return known_light_shader(light.known, each); }});
     return methods;
 }
 
@@ -155,20 +144,25 @@ struct Asked {
 };
 
 static std::string tradeoff_table(const Asked& asked, const std::string& name) {
-    const Light light{load_environment(name)};
+    const EnvironmentMap map = load_environment(name);
+    const std::vector<Lamp> lamps = points_of_light(map, 0, 1 << 15);
     RenderSettings settings;
     settings.width = settings.height = asked.size;
     settings.seed = 1000 * (asked.seed - 1);
-    const Image truth = true_picture(light.map, settings);
+    const Image truth = render(map, settings, [&](const Hit& hit, int, int) {
+        Arriving sum;
+        for (const Lamp& lamp : lamps) sum.add(hit, lamp);
+        return 1 / pi * (hit.albedo * sum.visible);
+    });
     Statistics mean;
     for_each_hit({asked.size, asked.size}, [&](int x, int y, const Hit&) { mean.add(channel_sum(truth(x, y)) / 3); });
     if (mean.mean == 0)
         throw std::runtime_error("the environment lights no object, so there is no error to compare; take another");
     std::vector<PictureRow> rows;
     for (const std::size_t n : asked.sample_counts) {
-        const KnownLight known = known_light(light.map, n, processors());
         settings.samples = n;
-        const std::vector<PictureMethod> methods = compared_methods(light, known, settings);
+        const Light light{map, lamps, known_light(map, n, settings.threads)};
+        const std::vector<PictureMethod> methods = compared_methods(light, settings);
         Progress progress(formatted("methods with %zu samples", n), methods.size());
         for (const PictureMethod& method : methods) {
             rows.push_back(picture_row(method, truth, !asked.untimed));
