@@ -119,19 +119,17 @@ static Colour visible_sun(const std::vector<Lamp>& sun, const Hit& hit, std::siz
     return fraction(sum.visible, sum.all);
 }
 
-// E(n) needs no more points or cells for more samples. The deviation is less for a smaller sun, as fewer pixels see an
-// edge of a shadow cross it; the shorter the mean of its directions, the larger it is.
+// E(n) is a sum over 2048 lamps, cells or points, whatever the samples. In proportion to the size of the sun, pixels
+// see the edge of a shadow cross it; so the deviation is as the root of that.
 KnownLight known_light(const EnvironmentMap& map, std::size_t samples, std::size_t threads) {
     const double bright = 10 * mean_over_directions(map, channel_sum), n = static_cast<double>(samples);
     const int rows = std::max(48, static_cast<int>(4 * std::sqrt(n)));  // eight to the width of a cone
-    const std::vector<Lamp> sun = points_of_light(map, bright, 16 * samples);
-    const std::vector<Lamp> fewer = points_of_light(map, bright, std::min<std::size_t>(16 * samples, 2048));
+    const std::vector<Lamp> sun = points_of_light(map, bright, 2048);
     Vec3 mean;
-    for (const Lamp& point : sun) mean += 1 / static_cast<double>(sun.size()) * point.direction;
-    return {sun, light_around(cells_of_light(map, bright, 48), 0, 48, 0, threads),
-            light_around(fewer, 0, 128, 0, threads),
-            light_around(cells_of_light(map, bright, rows), 1 - 2 / n, rows, 0.5, threads),
-            0.4 * std::sqrt(std::sqrt(std::sqrt(std::max(1 - dot(mean, mean), 1e-12))))};
+    for (const Lamp& point : sun) mean += 1.0 / 2048 * point.direction;
+    const double size = std::sqrt(std::max(1e-12, 1 - dot(mean, mean)));
+    return {sun, light_around(cells_of_light(map, bright, 32), 0, 96, 0, threads), light_around(sun, 0, 96, 0, threads),
+            light_around(cells_of_light(map, bright, rows), 1 - 2 / n, rows, 0.5, threads), 0.5 * std::sqrt(size)};
 }
 
 // A pixel's rays are shared out in proportion to E(n) times the deviation of v (Neyman, "On the two different aspects
@@ -151,7 +149,7 @@ Shader known_light_shader(const KnownLight& light, RenderSettings settings) {
                      sun_part = light.sun_deviation * channel_sum(sun_irradiance),
                      share = static_cast<double>(samples) * sky_part / (sky_part + sun_part);
         const PixelRules* chosen = &rules.front();
-        while (sun_part > 0 && chosen != &rules.back() && static_cast<double>(chosen->settings.samples) > share + 0.5)
+        while (sun_part > 0 && chosen != &rules.back() && static_cast<double>(chosen->settings.samples) > share)
             ++chosen;
         Random random = pixel_stream(chosen->settings, x, y);
         const OrientedRule rule = chosen->rule_for(hit.normal, random);
