@@ -109,13 +109,10 @@ static Colour visible_sky(const EnvironmentMap& around, const Hit& hit, const Or
 }
 
 // The same of the sun's light, by n rays at equal distances in the list; u in [0, 1) shifts them.
-static Colour visible_sun(const std::vector<Lamp>& sun, const Hit& hit, std::size_t n, double u) {
-    const double distance = static_cast<double>(sun.size()) / static_cast<double>(n);
+static Colour visible_sun(const std::vector<Lamp>& sun, const Hit& hit, double n, double u) {
+    const double last = static_cast<double>(sun.size()) - 1, distance = (last + 1) / n;
     Arriving sum;
-    for (std::size_t j = 0; j < n; ++j) {
-        const auto place = static_cast<std::size_t>((static_cast<double>(j) + u) * distance);
-        sum.add(hit, sun[std::min(place, sun.size() - 1)]);
-    }
+    for (double j = u; j < n; ++j) sum.add(hit, sun[static_cast<std::size_t>(std::min(j * distance, last))]);
     return fraction(sum.visible, sum.all);
 }
 
@@ -134,7 +131,8 @@ KnownLight known_light(const EnvironmentMap& map, std::size_t samples, std::size
 
 // A pixel's rays are shared out in proportion to E(n) times the deviation of v (Neyman, "On the two different aspects
 // of the representative method", Journal of the Royal Statistical Society 97(4), 1934). The sky has rules of a quarter,
-// three eighths, ..., all of the samples: a pixel takes one of at most its share, and gives the rest to the sun.
+// three eighths, ..., all of the samples: a pixel takes as many eighths as its share has, and gives the rest to the
+// sun.
 Shader known_light_shader(const KnownLight& light, RenderSettings settings) {
     const std::size_t samples = settings.samples;
     std::vector<PixelRules> rules;  // the largest first
@@ -143,20 +141,17 @@ Shader known_light_shader(const KnownLight& light, RenderSettings settings) {
         rules.emplace_back(settings);
     }
     return [&light, rules, samples](const Hit& hit, int x, int y) {
-        const Colour sky_irradiance = light.sky_irradiance.interpolated(hit.normal),
-                     sun_irradiance = light.sun_irradiance.interpolated(hit.normal);
-        const double sky_part = channel_sum(sky_irradiance),
-                     sun_part = light.sun_deviation * channel_sum(sun_irradiance),
-                     share = static_cast<double>(samples) * sky_part / (sky_part + sun_part);
-        const PixelRules* chosen = &rules.front();
-        while (sun_part > 0 && chosen != &rules.back() && static_cast<double>(chosen->settings.samples) > share)
-            ++chosen;
-        Random random = pixel_stream(chosen->settings, x, y);
-        const OrientedRule rule = chosen->rule_for(hit.normal, random);
-        Colour irradiance = sky_irradiance * visible_sky(light.around, hit, rule);
+        const Colour sky = light.sky_irradiance.interpolated(hit.normal),
+                     sun = light.sun_irradiance.interpolated(hit.normal);
+        const double sky_part = channel_sum(sky), sun_part = light.sun_deviation * channel_sum(sun);
+        const int eighths = sun_part > 0 ? std::max(2, static_cast<int>(8 * sky_part / (sky_part + sun_part))) : 8;
+        const PixelRules& chosen = rules[static_cast<std::size_t>(8 - eighths)];
+        Random random = pixel_stream(chosen.settings, x, y);
+        const OrientedRule rule = chosen.rule_for(hit.normal, random);
+        Colour irradiance = sky * visible_sky(light.around, hit, rule);
         if (sun_part > 0) {
-            const std::size_t rays = std::max(samples, rule.rule->size() + 1) - rule.rule->size();
-            irradiance += sun_irradiance * visible_sun(light.sun, hit, rays, random.uniform());
+            const double rays = std::max(1.0, static_cast<double>(samples) - static_cast<double>(rule.rule->size()));
+            irradiance += sun * visible_sun(light.sun, hit, rays, random.uniform());
         }
         return 1 / portable::pi * (hit.albedo * irradiance);
     };
