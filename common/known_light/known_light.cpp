@@ -32,7 +32,7 @@ static bool in_order(std::pair<int, int> a, std::pair<int, int> b) {
 }
 
 std::vector<Lamp> points_of_light(const EnvironmentMap& map, double least, std::size_t count) {
-    const TexelsOnSphere texels(map);
+    const TexelsOnSphere texels(map, 1000, 500);  // of which a point in the middle is near enough
     std::vector<std::pair<int, int>> bright;
     double all = 0, passed = 0;  // light; points
     for (int row = 0; row < texels.rows; ++row)
@@ -43,15 +43,12 @@ std::vector<Lamp> points_of_light(const EnvironmentMap& map, double least, std::
         }
     std::sort(bright.begin(), bright.end(), in_order);
     std::vector<Lamp> points;
-    Random random(0, 0);
     for (const auto& [row, column] : bright) {
         const double b = channel_sum(texels(row, column)), point = all / static_cast<double>(count);
         const double here = texels.solid_angle(row) * b / point;  // so many points; they pass from left to right
         for (double across; across = (static_cast<double>(points.size()) + 0.5 - passed) / here, across < 1;) {
-            const double top = texels.polar(row).cosine, bottom = texels.polar(row + 1).cosine;
-            const double cosine = top + random.uniform() * (bottom - top);
-            const portable::SineCosine polar{std::sqrt((1 - cosine) * (1 + cosine)), cosine};
-            points.push_back({direction_of(polar, texels.azimuth(column + across)), point / b * texels(row, column)});
+            const Vec3 direction = direction_of(texels.polar(row + 0.5), texels.azimuth(column + across));
+            points.push_back({direction, point / b * texels(row, column)});
         }
         passed += here;
     }
