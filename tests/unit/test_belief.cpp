@@ -54,12 +54,12 @@ TEST_CASE("the discs of belief show light, posterior mean, deviation and error")
     CHECK(std::min(byte(x + 2, y), byte(x + 3, y)) < 160);
 }
 
-// One column of 63 has 512 where all others have 1/2: a lamp, which the only sample misses. Interpolated between
-// columns it has the mean square (2/3) 512^2 / 63, of whose root 1/2 is 0.95 %; the sphere hides a little of it.
+// One column of 63 has 24 where all others have 1/2: a lamp, which the only sample misses. Interpolated between columns
+// it leaves the mean square 1/4 + (23.5 + (2/3) 23.5^2) / 63, and 1/2 is 20 % of its root; the sphere hides little.
 TEST_CASE("belief says that its samples have missed a lamp") {
     std::string texels;
-    for (int x = 0; x < 64; ++x) texels += x == 4 ? "\200\200\200\212" : "\200\200\200\200";
+    for (int x = 0; x < 64; ++x) texels += x == 4 ? "\300\300\300\205" : "\200\200\200\200";
     const TemporaryFile light("#?RADIANCE\n\n-Y 1 +X 64\n" + texels);
     const std::vector<std::string> words{"--environment", light.name, "--samples=1", "--placement=fibonacci"};
-    CHECK(stderr_of([&] { output_of(belief_discs, words); }) == Containing{"note: the samples have seen 0.9"});
+    CHECK(stderr_of([&] { output_of(belief_discs, words); }) == Containing{"note: the samples have seen 20 %"});
 }

@@ -31,6 +31,18 @@ TEST_CASE("black and white is light from every direction with x > 0") {
         if (std::fabs(w.x) > 0.01) CHECK_MESSAGE(map.radiance(w).y == (w.x > 0), w);
 }
 
+TEST_CASE("every light with a name is finite and nowhere negative, and not black") {
+    for (const std::string& name : light_names()) {
+        const EnvironmentMap map = load_environment(name);
+        double least = 0, sum = 0;
+        for (int i = 1; i <= map.width * map.height; ++i) {
+            least = std::min({least, map.colour(i).x, map.colour(i).y, map.colour(i).z});
+            sum += dot(map.colour(i), {1, 1, 1});
+        }
+        CHECK_MESSAGE((least == 0 && sum > 0 && sum < infinity), name);
+    }
+}
+
 TEST_CASE("the pieces of a map cover the sphere once, each within its texel") {
     for (const auto& [width, height] : {std::pair(1, 1), {9, 5}, {40, 1}}) {
         const EnvironmentMap map = coloured_map(width, height);

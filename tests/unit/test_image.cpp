@@ -1,6 +1,8 @@
 #include "scene/image.h"
 #include "test.h"
 
+#include <set>
+
 static std::string text_of(const std::vector<int>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 // 0.5 encodes to 187.5160, 0.0031308 to 12.92 * 0.0031308 * 255 = 10.31, 0.0001 to 0.33; what is no number is black.
@@ -22,6 +24,20 @@ TEST_CASE("BMP: header, rows from the bottom, padded, blue first") {
     CHECK(bmp.substr(0, 54) == header);
     CHECK(bmp.substr(54) == text_of({0, 0, 0, 0, 0, 0, 255, 188, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
     CHECK(encode(Image(4, 1), Format::bmp).size() == 54 + 12);
+}
+
+// So a reader can have them back, whatever their order in a format that is only added to the names.
+TEST_CASE("every format with a name has another file for each code of each channel") {
+    for (std::size_t format = 0; format < std::size(format_names); ++format) {
+        std::set<std::string> files;
+        for (double Colour::*const channel : {&Colour::x, &Colour::y, &Colour::z})
+            for (int i = 0; i < 2 * 18; ++i) {  // codes 0, 15 ... 255 in either of two pixels
+                Image image(2, 1);
+                image(i % 2, 0).*channel = srgb_to_linear(i / 2 / 17.0);
+                files.insert(encode(image, static_cast<Format>(format)));
+            }
+        CHECK_MESSAGE(files.size() == 6 * 17 + 1, std::string(format_names[format]));
+    }
 }
 
 TEST_CASE("a byte stands for the light of the codes within half a unit, by sRGB's formula") {

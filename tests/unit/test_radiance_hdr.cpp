@@ -103,8 +103,8 @@ TEST_CASE("what is no Radiance picture, of another kind, or cut is refused with 
         refused(hdr("-Y 2 +X 8", coded + bytes_of(bytes)), reason);
     };
     row_refused({5, 5, 5, 136, 1, 1, 1, 7}, "a scanline has a run of before 1991" + what_is_read);
-    for (const int code : {137, 9, 0, 128})
-        row_refused({2, 2, 0, 8, code, 1, 1, 1, 1, 1, 1, 1, 1, 1}, "a run is empty, or ends after");
+    for (const int code : {133, 5, 0, 128})  // behind a run of four
+        row_refused({2, 2, 0, 8, 132, 1, code, 1, 1, 1, 1, 1, 1, 1, 1, 1}, "a run is empty, or ends after");
     row_refused({2, 2, 0, 9}, "a scanline has a wrong width");
     row_refused({2, 2, 1, 8}, "a scanline has a wrong width");
     row_refused({2, 2, 0, 8, 136}, "the file ends inside a scanline");
