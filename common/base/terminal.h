@@ -15,5 +15,5 @@ void show_line(std::string_view text);
 
 bool output_is_terminal();
 bool is_in_foreground();  // whether stderr goes to a terminal that can go back in a line, and no other program has it
-void keep_all_bytes();    // of input and output, as they are; and who reads slowly loses none
+void keep_all_bytes();    // of input and output: binary streams, and writing waits for a slow reader
 }  // namespace bmc

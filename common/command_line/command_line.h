@@ -80,8 +80,8 @@ struct Help {
     std::string text;
 };
 
-// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. The
-// names of known are those of Known. If a program knows more, it adds a name, and asks `given`; a rule then knows the
+// Adds the options that both programs take: covariance, smoothness, length-scale, noise, known, placement, seed. A
+// program may let more be known than the parts in Known, and then looks for the name in `given`; its rules know the
 // cosine.
 void add_model_options(Arguments& arguments, ModelSettings& settings,
                        const std::vector<std::string>& known = {std::begin(known_names), std::end(known_names)});

@@ -111,7 +111,7 @@ static std::vector<PictureMethod> compared_methods(const Light& light, RenderSet
         s.method = method;
         s.pool = pool;
         s.placement = {set, density};
-        methods.push_back({name_of(method, method_names), name_of(s.known_part(), known_names), s,
+        methods.push_back({name_of(method, method_names), name_of(s.known_or_usual(), known_names), s,
                            [&](const auto& each) { return environment_shader(light.map, PixelRules(each)); }});
     };
     compare(Method::mc, 1, PointSet::random, Density::uniform);

@@ -3,7 +3,7 @@
 namespace bmc {
 std::vector<Lamp> cells_of_light(const EnvironmentMap& map, double most, int rows) {
     const TexelsOnSphere texels(map, 2 * rows, rows);
-    const auto part = [](int i, int n, int parts) { return static_cast<std::size_t>(std::int64_t{i} * parts / n); };
+    const auto part = [](int i, int n, int parts) { return static_cast<int>(std::int64_t{i} * parts / n); };
     std::vector<portable::SineCosine> azimuths;
     for (int column = 0; column < texels.columns; ++column) azimuths.push_back(texels.azimuth(column + 0.5));
     std::vector<Lamp> cells(static_cast<std::size_t>(2 * rows * rows)), lit;
@@ -13,8 +13,8 @@ std::vector<Lamp> cells_of_light(const EnvironmentMap& map, double most, int row
         for (int column = 0; column < texels.columns; ++column) {
             const Colour radiance = texels(row, column), light = solid_angle * radiance;
             if (channel_sum(radiance) > most) continue;
-            Lamp& cell =
-                cells[part(row, texels.rows, rows) * part(2, 1, rows) + part(column, texels.columns, 2 * rows)];
+            const int cell_row = part(row, texels.rows, rows), cell_column = part(column, texels.columns, 2 * rows);
+            Lamp& cell = cells[static_cast<std::size_t>(2 * rows * cell_row + cell_column)];
             cell.direction += channel_sum(light) * direction_of(polar, azimuths[std::size_t(column)]);
             cell.light += light;
         }
@@ -42,13 +42,16 @@ std::vector<Lamp> points_of_light(const EnvironmentMap& map, double least, std::
             all += texels.solid_angle(row) * channel_sum(texels(row, column));
         }
     std::sort(bright.begin(), bright.end(), in_order);
+    const double share = all / static_cast<double>(count);  // the light of a point
     std::vector<Lamp> points;
     for (const auto& [row, column] : bright) {
-        const double b = channel_sum(texels(row, column)), point = all / static_cast<double>(count);
-        const double here = texels.solid_angle(row) * b / point;  // so many points; they pass from left to right
-        for (double across; across = (static_cast<double>(points.size()) + 0.5 - passed) / here, across < 1;) {
-            const Vec3 direction = direction_of(texels.polar(row + 0.5), texels.azimuth(column + across));
-            points.push_back({direction, point / b * texels(row, column)});
+        const Colour radiance = texels(row, column);
+        const double here = texels.solid_angle(row) * channel_sum(radiance) / share;  // points of this texel
+        while (true) {                                                                // from left to right
+            const double across = (static_cast<double>(points.size()) + 0.5 - passed) / here;
+            if (across >= 1) break;
+            points.push_back({direction_of(texels.polar(row + 0.5), texels.azimuth(column + across)),
+                              share / channel_sum(radiance) * radiance});
         }
         passed += here;
     }
@@ -95,14 +98,15 @@ void Arriving::add(const Hit& hit, const Lamp& lamp) {
 }
 
 // The fraction of the sky's light that passes the other object, for each colour: a picture of the light around the
-// samples over the same without that object. It covers nobody's whole sky: where it stops all n rays, about 1 / (n + 1)
-// of the light passes between them.
-static Colour visible_sky(const EnvironmentMap& around, const Hit& hit, const OrientedRule& rule) {
+// samples over the same without that object. No object covers the whole sky of a point: if it stops all n rays, we say
+// that 1 / (n + 1) of the light passes between them.
+static Colour visible_sky(const EnvironmentMap& cones, const Hit& hit, const OrientedRule& oriented) {
+    static const Scene empty{};  // objects without extent shadow nothing
     const auto reflected = [&](const Scene& scene) {
-        return reflected_radiance(scene, around, hit, *rule.rule, rule.frame);
+        return reflected_radiance(scene, cones, hit, *oriented.rule, oriented.frame);
     };
-    const Colour passes = fraction(reflected(sphere_scene), reflected(Scene{}));
-    return channel_sum(passes) > 0 ? passes : 1 / static_cast<double>(rule.rule->size() + 1) * Colour{1, 1, 1};
+    const Colour passes = fraction(reflected(sphere_scene), reflected(empty));
+    return channel_sum(passes) > 0 ? passes : 1 / static_cast<double>(oriented.rule->size() + 1) * Colour{1, 1, 1};
 }
 
 // The same of the sun's light, by n rays at equal distances in the list; u in [0, 1) shifts them.
@@ -113,8 +117,8 @@ static Colour visible_sun(const std::vector<Lamp>& sun, const Hit& hit, double n
     return fraction(sum.visible, sum.all);
 }
 
-// E(n) is a sum over 2048 lamps, cells or points, whatever the samples. In proportion to the size of the sun, pixels
-// see the edge of a shadow cross it; so the deviation is as the root of that.
+// E(n) is a sum over 2048 lamps, cells or points, whatever the samples. The wider the sun, the more pixels lie in its
+// penumbra, where v varies: the mean square deviation grows in proportion to the sun's size.
 KnownLight known_light(const EnvironmentMap& map, std::size_t samples, std::size_t threads) {
     const double bright = 10 * mean_over_directions(map, channel_sum), n = static_cast<double>(samples);
     const int rows = std::max(48, static_cast<int>(4 * std::sqrt(n)));  // eight to the width of a cone
@@ -144,10 +148,11 @@ Shader known_light_shader(const KnownLight& light, RenderSettings settings) {
         const int eighths = sun_part > 0 ? std::max(2, static_cast<int>(8 * sky_part / (sky_part + sun_part))) : 8;
         const PixelRules& chosen = rules[static_cast<std::size_t>(8 - eighths)];
         Random random = pixel_stream(chosen.settings, x, y);
-        const OrientedRule rule = chosen.rule_for(hit.normal, random);
-        Colour irradiance = sky * visible_sky(light.around, hit, rule);
+        const OrientedRule oriented = chosen.rule_for(hit.normal, random);
+        Colour irradiance = sky * visible_sky(light.sky_cones, hit, oriented);
         if (sun_part > 0) {
-            const double rays = std::max(1.0, static_cast<double>(samples) - static_cast<double>(rule.rule->size()));
+            const double rays =
+                std::max(1.0, static_cast<double>(samples) - static_cast<double>(oriented.rule->size()));
             irradiance += sun * visible_sun(light.sun, hit, rays, random.uniform());
         }
         return 1 / portable::pi * (hit.albedo * irradiance);

@@ -45,14 +45,14 @@ struct Arriving {
 struct KnownLight {
     std::vector<Lamp> sun;                          // points of equal light; none where no texel is so bright
     EnvironmentMap sky_irradiance, sun_irradiance;  // tables of E(n)
-    EnvironmentMap around;                          // the sky in a cone around each direction
+    EnvironmentMap sky_cones;                       // the sky in a cone around each direction
     double sun_deviation;                           // of v under the sun, if it is 1 under the sky
 
     // E(n) of sky and sun.
     Colour irradiance(Vec3 n) const { return sky_irradiance.interpolated(n) + sun_irradiance.interpolated(n); }
 };
 
-// That of this map, for pictures with so many samples. The map may go.
+// The tables of this map, for pictures with so many samples. The map may go.
 KnownLight known_light(const EnvironmentMap& map, std::size_t samples, std::size_t threads);
 
 // L_o, linear RGB, with the samples of these settings. The light must outlive it. Throws what the Gaussian processes

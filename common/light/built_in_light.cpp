@@ -112,15 +112,15 @@ static inline Colour light_colour(BuiltInLight light, Colour colour, Vec3 d) {
 // The map of a light at the centres of texels.
 EnvironmentMap built_in_light(BuiltInLight light, std::size_t threads) {
     constexpr int width = 1024, height = 512;
-    std::vector<portable::SineCosine> azimuths;
-    for (int i = 0; i < width; ++i) azimuths.push_back(portable::sincos_turns((i + 0.5) / (width - 1) - 0.5));
     EnvironmentMap map(width, height);
+    const TexelsOnSphere texels(map);
+    std::vector<portable::SineCosine> azimuths;
+    for (int i = 0; i < width; ++i) azimuths.push_back(texels.azimuth(i + 0.5));
     for_each_row(height, threads, [&](int j) {
-        const auto [sine, cosine] = portable::sincos_turns(0.5 * (j + 0.5) / (height - 1));
-        const double above = edge(cosine);
+        const portable::SineCosine polar = texels.polar(j + 0.5);
+        const double above = edge(polar.cosine);
         std::vector<Vec3> directions(width);
-        for (std::size_t i = 0; i < width; ++i)
-            directions[i] = {sine * azimuths[i].sine, cosine, -sine * azimuths[i].cosine};
+        for (std::size_t i = 0; i < width; ++i) directions[i] = direction_of(polar, azimuths[i]);
         std::vector<Colour> colours(width);
         for (std::size_t i = 0; i < width && above < 1; ++i) colours[i] = ground(directions[i]);
         for (std::size_t i = 0; i < width && above > 0; ++i) colours[i] = mix(colours[i], sky(directions[i]), above);

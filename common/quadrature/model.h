@@ -21,9 +21,9 @@ struct ModelSettings {
     std::uint64_t seed = 1;
 
     double parameter() const { return covariance == CovarianceFamily::sobolev ? smoothness : length_scale; }
-    Known known_part() const { return known.value_or(known_of(placement.density)); }
+    Known known_or_usual() const { return known.value_or(known_of(placement.density)); }
     std::shared_ptr<const Covariance> make_covariance() const {
-        return bmc::make_covariance(covariance, parameter(), known_part());
+        return bmc::make_covariance(covariance, parameter(), known_or_usual());
     }
 };
 }  // namespace bmc

@@ -14,7 +14,7 @@ struct Placement {
     Density density = Density::uniform;
 
     // Whether all sets are one, but for a rotation: a lattice, or an optimised set.
-    bool is_fixed() const { return set != PointSet::random && set != PointSet::stratified; }
+    bool is_fixed() const { return set == PointSet::fibonacci || set == PointSet::optimised; }
 
     std::string name() const;  // uniform, cosine, stratified, cosine-stratified, ...
 };

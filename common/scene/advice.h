@@ -6,10 +6,10 @@
 #include "scene/pixel_rules.h"
 
 namespace bmc {
-// If this many samples in random directions miss this light, prints how uneven it is, and what cures that: if
-// c / sqrt(samples), about the error relative to the brightness, is above a half. c is the standard deviation of the
-// light over its mean, of what reaches the objects. A lamp that fills the fraction f of all directions, in a world that
-// is black elsewhere, has 1 + c^2 = 1 / f.
+// Prints how uneven this light is, and what cures that, where so many samples in random directions miss it: where
+// c / sqrt(samples), about the relative error of a picture, exceeds a half. c is the standard deviation of the light
+// that reaches the objects, over its mean. A lamp that fills the fraction f of all directions, in a world that is black
+// elsewhere, has 1 + c^2 = 1 / f.
 void note_uneven_light(const EnvironmentMap& light, std::size_t samples);
 
 // Prints a warning, if in one of two worlds, a white one or one of noise (white_brightness, noise_gain), the error by

@@ -60,7 +60,7 @@ void for_each_hit(const Camera& camera, Function f) {
             if (const std::optional<Hit> hit = intersect(sphere_scene, camera.ray(x, y))) f(x, y, *hit);
 }
 
-// How many these are.
+// The number of these pixels.
 inline double pixels_of_objects(const Camera& camera) {
     double pixels = 0;
     for_each_hit(camera, [&](int, int, const Hit&) { ++pixels; });
