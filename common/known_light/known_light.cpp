@@ -61,12 +61,12 @@ std::vector<Lamp> points_of_light(const EnvironmentMap& map, double least, std::
 EnvironmentMap light_around(const std::vector<Lamp>& lamps, double cosine, int rows, double place,
                             std::size_t threads) {
     EnvironmentMap table(2 * rows + 1, rows + 1);
+    const TexelsOnSphere places(table);
     for_each_row(table.height, threads, [&](int y) {
-        const portable::SineCosine polar = portable::sincos_turns(0.5 * (y + place) / rows);
+        const portable::SineCosine polar = places.polar(y + place);
         std::vector<double> x(static_cast<std::size_t>(table.width)), z(x), red(x), green(x), blue(x);
         for (std::size_t i = 0; i < x.size(); ++i) {
-            const double turns = 0.5 * (static_cast<double>(i) + place) / rows - 0.5;
-            const Vec3 d = direction_of(polar, portable::sincos_turns(turns));
+            const Vec3 d = direction_of(polar, places.azimuth(static_cast<double>(i) + place));
             x[i] = d.x;
             z[i] = d.z;
         }
@@ -98,8 +98,7 @@ void Arriving::add(const Hit& hit, const Lamp& lamp) {
 }
 
 // The fraction of the sky's light that passes the other object, for each colour: a picture of the light around the
-// samples over the same without that object. No object covers the whole sky of a point: if it stops all n rays, we say
-// that 1 / (n + 1) of the light passes between them.
+// samples over the same without that object. If that stops all n rays, about 1 / (n + 1) of the light passes between.
 static Colour visible_sky(const EnvironmentMap& cones, const Hit& hit, const OrientedRule& oriented) {
     static const Scene empty{};  // objects without extent shadow nothing
     const auto reflected = [&](const Scene& scene) {

@@ -47,7 +47,6 @@ struct KnownLight {
     EnvironmentMap sky_irradiance, sun_irradiance;  // tables of E(n)
     EnvironmentMap sky_cones;                       // the sky in a cone around each direction
     double sun_deviation;                           // of v under the sun, if it is 1 under the sky
-
     // E(n) of sky and sun.
     Colour irradiance(Vec3 n) const { return sky_irradiance.interpolated(n) + sun_irradiance.interpolated(n); }
 };
