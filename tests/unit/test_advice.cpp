@@ -23,27 +23,6 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
     CHECK(warning(8, 0, [](double place) { return std::exp2(10 * place); }) == Containing{"--exposure -10.0 "});
 }
 
-// The noise passes both thresholds in small steps: weights cancel where it is small, and vanish where it is large.
-TEST_CASE("weights that cancel, or that make a white world dark, give a warning") {
-    RenderSettings settings = small_picture(Method::single, 85);
-    settings.covariance = CovarianceFamily::squared_exponential;
-    int close_to_gain = 0, close_to_dark = 0;
-    for (settings.noise = 30; settings.noise > 1e-5; settings.noise *= 0.85) {
-        const PixelRules rules(settings);
-        const QuadratureRule& rule = *rules.shared[0];
-        const double gain = noise_gain(rule), dark = 1 - white_brightness(rule), most = 2 / std::sqrt(3 * 85.0);
-        const std::string warning = stderr_of([&] { warn_of_weights(rules); });
-        CAPTURE(settings.noise);
-        CHECK(contains(warning, "errors of samples " + two_digits(gain) + " times") == (gain > 2));
-        CHECK(contains(warning, formatted("%.0f %% too dark", 100 * dark)) == (gain <= 2 && dark > most));
-        CHECK(warning.empty() == (gain <= 2 && dark <= most));
-        close_to_gain += std::fabs(gain - 2) < 0.3;
-        close_to_dark += std::fabs(dark - most) < 0.05;
-    }
-    CHECK(close_to_gain >= 2);
-    CHECK(close_to_dark >= 2);
-}
-
 TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
     for (const auto& [number, text] : {std::pair(1.0, "1"),
                                        {2.6, "3"},
