@@ -11,8 +11,7 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
         return stderr_of([&] { warn_of_exposure(image, exposure); });
     };
     CHECK(warning(50, 0, [](double) { return 1; }) == "");
-    const double n =
-        pixels_of_objects({200, 200});  // the rank of a pixel from the darkest, 1 to n, is n times its place
+    const double n = pixels_of_objects({200, 200});  // n times its place is a pixel's rank from the darkest, 1 to n
     const double tenth = std::floor(n / 10), hundredth = std::floor(n / 100);
     CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth + 0.5 ? 8 : 0; }) == "");
     CHECK(warning(200, 0, [=](double place) { return place * n > n - tenth - 0.5 ? 8 : 0; }) ==
