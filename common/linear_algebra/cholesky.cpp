@@ -17,6 +17,8 @@ double root_of_pivot(const std::vector<double>& diagonal, std::size_t m, double 
     return std::sqrt(pivot);
 }
 
+// U with U^T U = A. The diagonal of A is there for root_of_pivot, which gives each u_mm: a plain square root would let
+// a pivot pass that is only rounding error, and with it weights of any size, or nan.
 // BEGIN SOLUTION inverse
 // U takes the place of A: as soon as row m of U is known, its products are subtracted from the rows below, so that each
 // row holds what is left of A when its turn comes. The plain loop is

@@ -1,7 +1,7 @@
 // Covariance functions on the sphere, and their integrals over the hemisphere H. A covariance k depends on two
-// directions only by their squared chord r^2 = |omega - omega'|^2 = 2 - 2 omega.omega', so rotating all directions
-// about the up axis changes neither Q nor z. Bayesian quadrature needs two of its integrals (O'Hagan, "Bayes-Hermite
-// quadrature", J. Stat. Plan. Inf. 1991):
+// directions only by their squared chord r^2 = |omega - omega'|^2 = 2 - 2 omega.omega' (a difference that rounding can
+// leave below 0, where its root is nan), so rotating all directions about the up axis changes neither Q nor z. Bayesian
+// quadrature needs two of its integrals (O'Hagan, "Bayes-Hermite quadrature", J. Stat. Plan. Inf. 1991):
 //     z(omega) = integral over H of k(omega, omega') p(omega') d omega',
 //     zz = integral over H of z(omega) p(omega) d omega,
 // where f p is the integrand: the Gaussian process models f. p is the known part, 1, or cos(theta) if that is known.

@@ -33,7 +33,7 @@ static std::vector<Vec3> checked(std::vector<Vec3> directions, double noise) {
     return directions;
 }
 
-// z_j is a function of cos(theta) of direction j, its y, in seven digits at least: covariance.z has them. A mean over
+// z_j is a function of cos(theta) of direction j, its y, in eight digits at least: covariance.z has them. A mean over
 // 50,000 random directions, as the sheet's base code takes, has two or three. Rounding can leave y slightly above 1.
 // BEGIN SOLUTION z
 std::vector<double> z_of(const Covariance& covariance, const std::vector<Vec3>& directions) {

@@ -59,8 +59,9 @@ OrientedRule PixelRules::rule_for(Vec3 normal, Random& random) const {
             // END SOLUTION
         }
         case Method::pool: {
+            // The first random number u chooses rule floor(u n) of n, and the second one rotates it.
             // BEGIN SOLUTION rule_for
-            const double u = random.uniform();  // chooses the rule; a second number rotates it
+            const double u = random.uniform();
             const auto chosen = static_cast<std::size_t>(u * static_cast<double>(shared.size()));
             return {frame.rotated(random.uniform()), shared[chosen]};
             // END SOLUTION
