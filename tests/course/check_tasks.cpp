@@ -145,7 +145,16 @@ std::map<std::string, std::function<void()>> all_checks() {
             matrix("Q", covariance_matrix(k, model.noise, w));
         });
     };
-    check["upper_factor"] = [] { each_positive_matrix([](const Matrix& a) { matrix("U", Cholesky(a).upper); }); };
+    check["upper_factor"] = [] {
+        each_positive_matrix([](const Matrix& a) { matrix("U", Cholesky(a).upper); });
+        Matrix a(2, 2);
+        a.elements = {1, 1, 1, 1 + DBL_EPSILON}, in = "with a second pivot of 2e-16, a rounding error: ";
+        try {
+            value("U(1, 1)", Cholesky(a).upper(1, 1));
+        } catch (const NotPositiveDefinite&) {
+            value("U(1, 1)", "NotPositiveDefinite");
+        }
+    };
     check["inverse"] = [] { each_positive_matrix([](const Matrix& a) { matrix("inverse", Cholesky(a).inverse()); }); };
     check["z_of"] = [] {
         each_model([](const ErrorSettings&, const Covariance& k, Directions w) {
