@@ -77,8 +77,7 @@ void each_model(Function f) {
     for (const std::size_t n : sizes)
         for (std::size_t i = 0; i < std::size(words); ++i) {
             ErrorSettings model;
-            model.noise = 3.1, model.length_scale = 0.4, model.seed = seed,
-            model.known = i == 2 ? Known::cosine : Known::nothing;
+            model.noise = 3.1, model.length_scale = 0.4, model.seed = seed, model.known = Known(i == 2);
             if (i == 1) model.covariance = CovarianceFamily::squared_exponential;
             if (i == 3) model.placement.density = Density::cosine;
             in = formatted("%s, noise 3.1, n = %zu: ", words[i], n);
