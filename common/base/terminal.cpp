@@ -24,7 +24,6 @@ bool bmc::is_in_foreground() {
 void bmc::keep_all_bytes() { fcntl(STDOUT_FILENO, F_SETFL, fcntl(STDOUT_FILENO, F_GETFL) & ~O_NONBLOCK); }
 
 #else  // ask nothing
-
 bool bmc::output_is_terminal() { return false; }
 bool bmc::is_in_foreground() { return false; }
 void bmc::keep_all_bytes() {}

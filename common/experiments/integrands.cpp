@@ -1,7 +1,5 @@
 #include "experiments/integrands.h"
 
-#include "light/environment.h"
-
 #include <numeric>
 #include <stdexcept>
 

@@ -38,7 +38,6 @@ struct PictureRow {
 // which has their size.
 PictureRow picture_row(const PictureMethod& method, const Image& truth, bool timed);
 
-// A line for each row, and above them the names of the columns. The first row of a number of samples is classic Monte
-// Carlo's.
+// The table of these rows. The first one of each number of samples is classic Monte Carlo's.
 std::string picture_table(const std::vector<PictureRow>& rows, bool timed);
 }  // namespace bmc

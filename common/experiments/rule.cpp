@@ -43,7 +43,7 @@ static std::string weights_block(const GaussianProcess& process, int digits) {
     const QuadratureRule rule{process.directions, process.weights, process.known};
     const double integral = known_integral(process.known);
     return text + formatted(
-                      R"(# The weights sum to %.*g, and the integral of %s is %.6g. The ratio %.*g would be 1 if the
+                      R"(# The weights sum to %.*g, and the integral of %s is %.6g. The ratio %#.*g would be 1 if the
 # rule were exact for constants. Negative weights: %d.
 # A white scene would render with the brightness B = %.*g instead of 1. The weights amplify the errors
 # of samples %.*g times as much as Monte Carlo's do. Above 2, pictures are usually worse than Monte Carlo's.

@@ -103,8 +103,7 @@ static Shader mis_shader(const Light& light, bool as_ratio, RenderSettings setti
     };
 }
 
-// All methods that are compared, with these settings; classic Monte Carlo first, and in the end those that know the
-// light.
+// The methods that are compared: classic Monte Carlo first, and in the end those that know the light.
 static std::vector<PictureMethod> compared_methods(const Light& light, RenderSettings s) {
     std::vector<PictureMethod> methods;
     const auto compare = [&](Method method, std::size_t pool, PointSet set, Density density) {
@@ -116,11 +115,9 @@ static std::vector<PictureMethod> compared_methods(const Light& light, RenderSet
     };
     compare(Method::mc, 1, PointSet::random, Density::uniform);
     compare(Method::mc, 1, PointSet::random, Density::cosine);
-    compare(Method::direct, 1, PointSet::random, Density::uniform);
-    compare(Method::single, 1, PointSet::random, Density::uniform);
-    compare(Method::rotated, 1, PointSet::random, Density::uniform);
-    compare(Method::pool, 5, PointSet::random, Density::uniform);
-    compare(Method::pool, 20, PointSet::random, Density::uniform);
+    for (const Method method : {Method::direct, Method::single, Method::rotated})
+        compare(method, 1, PointSet::random, Density::uniform);
+    for (const std::size_t pool : {5, 20}) compare(Method::pool, pool, PointSet::random, Density::uniform);
     compare(Method::pool, 20, PointSet::random, Density::cosine);
     for (const PointSet set : {PointSet::stratified, PointSet::fibonacci, PointSet::optimised}) {
         compare(Method::mc, 1, set, Density::cosine);

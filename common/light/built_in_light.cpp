@@ -5,7 +5,6 @@
 
 namespace bmc {
 constexpr Vec3 sun{0.8, 0.48, 0.36};  // a Pythagorean unit vector
-
 constexpr Colour zenith{0.03, 0.17, 0.56}, horizon{0.72, 0.70, 0.66}, sand{0.58, 0.31, 0.14}, rock{0.62, 0.23, 0.10};
 
 static double clamp01(double t) { return t > 0 ? (t < 1 ? t : 1) : 0; }
