@@ -70,7 +70,7 @@ sanitizers:
 	$(MAKE) CXX=clang++ $(ONE_SOURCE) BUILD=$(SANITIZED) BIN=$(SANITIZED) \
 	    CXXFLAGS="-O1 -g1 -fno-sanitize-recover=all -fsanitize=address,undefined,float-cast-overflow" \
 	    all $(SANITIZED)/unit_tests $(SANITIZED)/compare
-	BUILD=$(SANITIZED) BIN=$(SANITIZED) bash tests/output/run has_symbols __asan_init __ubsan_handle_add_overflow_abort
+	nm $(SANITIZED)/renderer | grep -qw __asan_init && nm $(SANITIZED)/renderer | grep -q __ubsan_handle_.*_abort
 	$(SANITIZED)/unit_tests
 	BUILD=$(SANITIZED) BIN=$(SANITIZED) QUICK=yes bash tests/output/run product
 
@@ -78,7 +78,7 @@ THREADS = $(BUILD)/threads
 threads:
 	$(MAKE) CXX=clang++ CXXFLAGS="-O1 -g1 -fsanitize=thread" $(ONE_SOURCE) \
 	    BUILD=$(THREADS) BIN=$(THREADS) $(THREADS)/renderer $(THREADS)/compare
-	BUILD=$(THREADS) BIN=$(THREADS) bash tests/output/run has_symbols __tsan_init
+	nm $(THREADS)/renderer | grep -qw __tsan_init
 	BUILD=$(THREADS) BIN=$(THREADS) bash tests/output/run references '!(small-light).p?m' --threads 7
 
 # What it finds stays in FUZZ, and is where the next run begins; tests/slow/corpus is only read.

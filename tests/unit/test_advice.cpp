@@ -23,12 +23,7 @@ TEST_CASE("more than a tenth of the objects' pixels above white gives a warning,
 }
 
 TEST_CASE("numbers for people have two digits, and an exponent only if they are long") {
-    for (const auto& [number, text] : {std::pair(1.0, "1"),
-                                       {2.6, "3"},
-                                       {99.6, "100"},
-                                       {145, "140"},
-                                       {155, "160"},
-                                       {1.26e5, "130000"},
-                                       {2.04e79, "2e+79"}})
-        CHECK(two_digits(number) == text);
+    std::string text;
+    for (const double number : {1.0, 2.6, 99.6, 145.0, 155.0, 1.26e5, 2.04e79}) text += two_digits(number) + ' ';
+    CHECK(text == "1 3 100 140 160 130000 2e+79 ");
 }

@@ -74,9 +74,10 @@ static double variance_of_equal_weights(const Covariance& covariance, const std:
     return v;
 }
 
-TEST_CASE(
-    "equal weights have a smaller worst-case error on optimised directions than on a lattice, the same each time") {
-    for (const auto& [n, most] : {std::pair(std::size_t{1}, 1.01), {2, 0.93}, {7, 0.92}, {40, 0.96}, {97, 0.975}})
+// All rotations together are a set of many directions, of which 64 rotations have about the same V.
+TEST_CASE("equal weights have less V on optimised directions than on a lattice, all rotations together a hundredth") {
+    for (const auto& [n, most] :
+         {std::pair(std::size_t{1}, 1.01), {2, 0.93}, {5, 0.965}, {7, 0.92}, {10, 0.95}, {40, 0.96}, {97, 0.975}})
         for (const Density density : {Density::uniform, Density::cosine}) {
             const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, known_of(density));
             const std::vector<Vec3> directions = optimised_directions(n, density);
@@ -85,22 +86,10 @@ TEST_CASE(
             CHECK(std::sqrt(v / variance_of_equal_weights(*covariance, fibonacci_directions(n, density))) < most);
             CHECK(directions.size() == n);
             for (const Vec3& d : directions) CHECK_MESSAGE((d.y > 0 && std::fabs(length(d) - 1) < few_roundings), d);
-            CHECK(optimised_directions(n, density) == directions);
-        }
-}
-
-// All rotations together are a set of many directions, of which 64 rotations have about the same V.
-TEST_CASE("all rotations of optimised directions together have less than a hundredth of V") {
-    for (const std::size_t n : {5u, 10u, 40u})
-        for (const Density density : {Density::uniform, Density::cosine}) {
-            const auto covariance = make_covariance(CovarianceFamily::sobolev, 1.5, known_of(density));
-            const std::vector<Vec3> directions = optimised_directions(n, density);
             std::vector<Vec3> rotations;
-            for (int i = 0; i < 64; ++i)
+            for (int i = 0; i < 64 && n >= 5 && n <= 40; ++i)
                 for (const Vec3& d : directions) rotations.push_back(rotate_around_y(d, i / 64.0));
-            CAPTURE(n);
-            const double common = variance_of_equal_weights(*covariance, rotations);
-            CHECK(common < 0.01 * variance_of_equal_weights(*covariance, directions));
+            if (!rotations.empty()) CHECK(variance_of_equal_weights(*covariance, rotations) < 0.01 * v);
         }
 }
 

@@ -3,10 +3,8 @@
 #include "test.h"
 
 TEST_CASE("a placement is a set of a density; a fixed set is the same each time but for a rotation") {
-    std::string names;
     for (const Placement placement : all_placements()) {
-        names += placement.name() + ' ';
-        CAPTURE(names);
+        CAPTURE(placement.name());
         const Density density = placement.density;
         Random random(1, 0), same(1, 0);
         const Sampler sampler = sampler_of(placement, 7);
@@ -24,6 +22,4 @@ TEST_CASE("a placement is a set of a density; a fixed set is the same each time 
         }
         CHECK(length(mean - Vec3{0, density == Density::cosine ? 2.0 / 3 : 0.5, 0}) < 0.08);
     }
-    CHECK(names ==
-          "uniform stratified fibonacci optimised cosine cosine-stratified cosine-fibonacci cosine-optimised ");
 }
