@@ -117,7 +117,7 @@ static std::vector<PictureMethod> compared_methods(const Light& light, RenderSet
     compare(Method::mc, 1, PointSet::random, Density::cosine);
     for (const Method method : {Method::direct, Method::single, Method::rotated})
         compare(method, 1, PointSet::random, Density::uniform);
-    for (const std::size_t pool : {5, 20}) compare(Method::pool, pool, PointSet::random, Density::uniform);
+    for (const std::size_t pool : {5u, 20u}) compare(Method::pool, pool, PointSet::random, Density::uniform);
     compare(Method::pool, 20, PointSet::random, Density::cosine);
     for (const PointSet set : {PointSet::stratified, PointSet::fibonacci, PointSet::optimised}) {
         compare(Method::mc, 1, set, Density::cosine);
