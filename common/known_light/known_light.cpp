@@ -46,10 +46,10 @@ std::vector<Lamp> points_of_light(const EnvironmentMap& map, double least, std::
     std::vector<Lamp> points;
     for (const auto& [row, column] : bright) {
         const Colour radiance = texels(row, column);
-        const double here = texels.solid_angle(row) * channel_sum(radiance) / share;  // points of this texel
-        while (true) {                                                                // from left to right
+        const double here = texels.solid_angle(row) * channel_sum(radiance) / share;  // points, from left to right
+        while (true) {
             const double across = (static_cast<double>(points.size()) + 0.5 - passed) / here;
-            if (across >= 1) break;
+            if (!(across < 1)) break;  // nor nan
             points.push_back({direction_of(texels.polar(row + 0.5), texels.azimuth(column + across)),
                               share / channel_sum(radiance) * radiance});
         }
