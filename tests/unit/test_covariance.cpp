@@ -17,9 +17,9 @@ TEST_CASE("the M and z of every covariance with a name agree with its k") {
         for (const double cosine : {0.0, 0.3, 1.0})
             CHECK_MESSAGE(relative(covariance->z(cosine), covariance->Covariance::z(cosine)) < 4e-15, cosine);
         CHECK(relative(covariance->zz(), covariance->Covariance::zz()) < 4e-15);
-        const bool smooth = covariance_names[family] == std::string("sobolev");
-        for (const double extreme :
-             {smooth ? min_smoothness : min_length_scale, smooth ? max_smoothness : max_length_scale}) {
+        const bool takes_smoothness = covariance_names[family] == std::string("sobolev");
+        for (const double extreme : {takes_smoothness ? min_smoothness : min_length_scale,
+                                     takes_smoothness ? max_smoothness : max_length_scale}) {
             const auto k = make_covariance(static_cast<CovarianceFamily>(family), extreme);
             for (double b = 1e-30; b <= 2; b *= 2)  // k falls, and no digits cancel in its mean
                 CHECK_MESSAGE((k->k(2 * b) <= k->cap_mean(b) && k->cap_mean(b) <= k->k(0)), b);
